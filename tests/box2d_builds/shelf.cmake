@@ -4,20 +4,14 @@
 #   variant     what is built                                  what it must not change, or what it may break
 #   debian      Debian's flags, file by file, shared           nothing: it must do what the installed library does
 #   ndebug      -O3 -DNDEBUG, shared: a game's release build   no assertion stops a listener from what it may not do
-#   allocator   b2Alloc and b2Free of its own, shared          memory must go back to whom it came from
 #   units10     b2_lengthUnitsPerMeter 10, shared              all of Box2D's constants are ten times as large
-#   fma         -O3 -march=haswell, shared                     products are added without being rounded
 #   static      an archive, file by file                       no call of it can be answered from outside
-#   lto         link-time optimisation, shared                 calls between its files may be inlined
-#   onefile     all of it one source, everything visible       calls between its files may be inlined
+#   allocator   b2Alloc and b2Free of its own, shared          memory must go back to whom it came from
+#   fma         -O3 -march=haswell, shared                     products are added without being rounded
 #   hidden      an archive, compiled with -fvisibility=hidden  as static, and nothing of it is seen from outside
-#   lean        an archive: C++20, precompiled headers,        as static, and nothing of it knows of types
-#               -fno-rtti
-#   regrouped   an archive: -ffast-math                        the same source rounds otherwise in another function
-#   pixels      an archive: b2_lengthUnitsPerMeter 32          what Boomerang tries out when it starts is of no fixed size
 #
-# The last three are there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by the
-# same flags, with boomerang_accelerate: box2d_VARIANT_accelerated, in <build>/VARIANT/accelerated/. (Where the first is of one
+# The last three are there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by
+# the same flags, with boomerang_accelerate: box2d_VARIANT_accelerated, in <build>/VARIANT/accelerated/. (Where the first is of one
 # source, this is of CMake's unity; without BOX2D_BUILDS_LONG always.)
 #
 # After box2d_shelf(SOURCE), for each VARIANT of ${BOX2D_SHELF}:
@@ -29,13 +23,13 @@
 #
 # Where one source is as good as many, all are compiled as one: it takes a third of the time. (In a shared library a function
 # that can be seen from outside is called by its name, also within one source.)
-set(BOX2D_SHELF debian ndebug allocator units10 fma static lto onefile hidden)
-set(BOX2D_SHELF_STATIC static hidden)
+set(BOX2D_SHELF debian ndebug units10 static)
+set(BOX2D_SHELF_STATIC static)
 set(BOX2D_ACCELERATED static)
 if(BOX2D_BUILDS_LONG)
-  list(APPEND BOX2D_SHELF lean regrouped pixels)
-  list(APPEND BOX2D_SHELF_STATIC lean regrouped pixels)
-  set(BOX2D_ACCELERATED static ndebug allocator units10 fma lto hidden lean regrouped pixels)
+  list(APPEND BOX2D_SHELF allocator fma hidden)
+  list(APPEND BOX2D_SHELF_STATIC hidden)
+  set(BOX2D_ACCELERATED static ndebug allocator units10 fma hidden)
 endif()
 
 execute_process(COMMAND dpkg-buildflags --get CPPFLAGS OUTPUT_VARIABLE debian_preprocessor OUTPUT_STRIP_TRAILING_WHITESPACE
@@ -56,12 +50,10 @@ else()
   set(fused -ffp-contract=fast) # processors that all have it, where a compiler may be told not to use it
 endif()
 
-# box2d_variant(<variant> [ARCHIVE] [FILE_BY_FILE] [FLAGS <flag>...] [LINK <flag>...] [GAME <flag>...] [SETTINGS <directory>]
-#   [HEADER <header>] [OURS <flag>...])
-#   FLAGS: of the library; GAME: of the library and the game; SETTINGS: where its b2_user_settings.h is; HEADER: to be
-#   precompiled; OURS: of what is ours in the accelerated one
+# box2d_variant(<variant> [ARCHIVE] [FILE_BY_FILE] [FLAGS <flag>...] [LINK <flag>...] [GAME <flag>...] [SETTINGS <directory>])
+#   FLAGS: of the library; GAME: of the library and the game; SETTINGS: where its b2_user_settings.h is
 function(box2d_variant name)
-  cmake_parse_arguments(PARSE_ARGV 1 with "ARCHIVE;FILE_BY_FILE" "SETTINGS;HEADER" "FLAGS;LINK;GAME;OURS")
+  cmake_parse_arguments(PARSE_ARGV 1 with "ARCHIVE;FILE_BY_FILE" "SETTINGS" "FLAGS;LINK;GAME")
   set(sources ${box2d_one_source})
   if(with_FILE_BY_FILE)
     set(sources ${box2d_sources})
@@ -99,13 +91,9 @@ function(box2d_variant name)
     target_include_directories(${target} SYSTEM INTERFACE ${headers} PRIVATE ${headers} ${BOX2D_SOURCE}/src)
     target_compile_options(${target} PRIVATE ${with_FLAGS} ${game} -w)
     target_link_options(${target} PRIVATE ${with_LINK})
-    if(with_HEADER)
-      target_precompile_headers(${target} PRIVATE ${with_HEADER})
-      set_target_properties(${target} PROPERTIES CXX_STANDARD 20)
-    endif()
     if(target MATCHES "_accelerated$")
       boomerang_accelerate(${target})
-      target_compile_options(${target}_boomerang PRIVATE ${BOX2D_BUILDS_OURS} ${with_OURS})
+      target_compile_options(${target}_boomerang PRIVATE ${BOX2D_BUILDS_OURS})
     endif()
   endforeach()
   set(BOX2D_${name}_GAME ${game} PARENT_SCOPE)
@@ -122,16 +110,11 @@ macro(box2d_shelf source)
 
   box2d_variant(debian FILE_BY_FILE FLAGS ${shared_flags} ${debian_flags} LINK ${debian_linker})
   box2d_variant(ndebug FLAGS ${shared_flags} -O3 GAME -DNDEBUG)
-  box2d_variant(allocator FLAGS ${shared_flags} -O2 SETTINGS ${CMAKE_CURRENT_LIST_DIR}/settings/allocator)
   box2d_variant(units10 FLAGS ${shared_flags} -O2 SETTINGS ${CMAKE_CURRENT_LIST_DIR}/settings/units10)
-  box2d_variant(fma FLAGS ${shared_flags} -O3 GAME ${fused})
   box2d_variant(static ARCHIVE FILE_BY_FILE FLAGS -O2)
-  box2d_variant(lto FILE_BY_FILE FLAGS ${shared_flags} -O2 -flto LINK -O2 -flto=auto OURS -O2 -flto)
-  box2d_variant(onefile FLAGS -fPIC -O2)
-  box2d_variant(hidden ARCHIVE FLAGS -O2 -fvisibility=hidden -fvisibility-inlines-hidden)
-  if(lean IN_LIST BOX2D_SHELF)
-    box2d_variant(lean ARCHIVE FILE_BY_FILE FLAGS -O2 GAME -fno-rtti HEADER ${source}/include/box2d/box2d.h)
-    box2d_variant(regrouped ARCHIVE FILE_BY_FILE FLAGS -O3 -ffast-math GAME ${fused})
-    box2d_variant(pixels ARCHIVE FLAGS -O2 GAME -Db2_lengthUnitsPerMeter=32.0f SETTINGS ${CMAKE_CURRENT_LIST_DIR}/settings/units10)
+  if(BOX2D_BUILDS_LONG)
+    box2d_variant(allocator FLAGS ${shared_flags} -O2 SETTINGS ${CMAKE_CURRENT_LIST_DIR}/settings/allocator)
+    box2d_variant(fma FLAGS ${shared_flags} -O3 GAME ${fused})
+    box2d_variant(hidden ARCHIVE FLAGS -O2 -fvisibility=hidden -fvisibility-inlines-hidden)
   endif()
 endmacro()

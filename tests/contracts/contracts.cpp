@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-//   PROGRAM PAGE...  every rule holds, every allocation may fail, and the pages have what the program prints
-//   PROGRAM          prints its tables, as a page should have them
-//   PROGRAM --cells  a line for each bad value and its answer
+//   PROGRAM PAGE     every rule holds, every allocation may fail, and the page has what the program prints
+//   PROGRAM          prints its tables, as the page should have them
 //   PROGRAM --list   the functions whose allocations fail
-//   PROGRAM --tables the marks of its tables on the pages
 #include "contracts.h"
 
 #include <algorithm>
@@ -146,7 +144,7 @@ Given GoodFor(const Function &function) {
 }
 
 /// With good arguments, and with each bad value.
-void CheckRules(const Function &function, bool print) {
+void CheckRules(const Function &function) {
     struct Question {
         std::string with, expected;
     };
@@ -169,11 +167,8 @@ void CheckRules(const Function &function, bool print) {
         const auto &[with, expected] = questions[i];
         if (answers[i] != expected) // what succeeds once in a process asks for one of its own
             answers[i] = InChildren({cells[i]})[0];
-        if (print)
-            std::printf("%s / %s / %s\n", function.name.c_str(), with.c_str(), answers[i].c_str());
-        else
-            Check(answers[i] == expected,
-                  function.name + ", " + with + ": answers " + answers[i] + ", expected " + expected);
+        Check(answers[i] == expected,
+              function.name + ", " + with + ": answers " + answers[i] + ", expected " + expected);
     }
 }
 
@@ -206,7 +201,7 @@ std::string PrintedValues(const Rule &rule) {
 }
 
 /// Rows of the same answers stand in one line.
-std::string PrintedMatrix(const Matrix &matrix, const std::string &name, bool cells) {
+std::string PrintedMatrix(const Matrix &matrix) {
     std::vector<std::string> order;
     std::map<std::string, std::vector<std::string>> rows;
     const size_t columns = matrix.columns.size();
@@ -219,9 +214,6 @@ std::string PrintedMatrix(const Matrix &matrix, const std::string &name, bool ce
         for (size_t column = 0; column < columns; ++column) {
             const size_t i = row * columns + column;
             answers.push_back(matrix.alone ? answered[i] : all[i]());
-            if (cells)
-                std::printf("%s / %s / %s / %s\n", name.c_str(), matrix.rows[row].c_str(),
-                            matrix.columns[column].c_str(), answers.back().c_str());
         }
         std::string key = Joined(answers, " | ");
         if (rows[key].empty())
@@ -243,27 +235,25 @@ std::string PrintedRules() {
     return text;
 }
 
-/// What stands on the pages behind the table's mark, up to an empty line.
-std::string OnPages(const std::vector<std::string> &pages, const std::string &name) {
+/// What stands on the page behind the table's mark, up to an empty line.
+std::string OnPage(const std::string &page, const std::string &name) {
     std::string line, text;
-    for (const std::string &page : pages) {
-        std::ifstream stream(page);
-        while (std::getline(stream, line) && line != "<!-- checked: " + name + " -->")
-            continue;
-        while (std::getline(stream, line) && !line.empty())
-            text += line + "\n";
-    }
+    std::ifstream stream(page);
+    while (std::getline(stream, line) && line != "<!-- checked: " + name + " -->")
+        continue;
+    while (std::getline(stream, line) && !line.empty())
+        text += line + "\n";
     return text;
 }
 
-void ComparePages(const std::vector<std::string> &pages, const std::string &name, const std::string &text) {
-    std::string theirs = OnPages(pages, name), ours = text;
+void ComparePage(const std::string &page, const std::string &name, const std::string &text) {
+    std::string theirs = OnPage(page, name), ours = text;
     for (size_t end; theirs != ours && (end = ours.find('\n')) != std::string::npos &&
                      theirs.compare(0, end + 1, ours, 0, end + 1) == 0;) {
         ours.erase(0, end + 1);
         theirs.erase(0, end + 1);
     }
-    Check(theirs == ours, "table " + name + ": a page has \"" + theirs.substr(0, theirs.find('\n')) +
+    Check(theirs == ours, "table " + name + ": " + page + " has \"" + theirs.substr(0, theirs.find('\n')) +
                               "\", it is \"" + ours.substr(0, ours.find('\n')) + "\"");
 }
 
@@ -329,35 +319,27 @@ Table::Table(const char *name, Matrix (*make)()) {
     Entries().push_back({name, nullptr, make});
 }
 
-static void Treat(const Entry &entry, const std::string &what, const std::vector<std::string> &pages) {
-    const bool cells = what == "--cells";
+static void Treat(const Entry &entry, const std::string &what) {
     functions.clear();
     if (entry.fill != nullptr)
         entry.fill();
-    const bool onPage = functions.empty(); // functions say here what they answer
-    if (what == "--tables") {
-        if (onPage)
-            std::printf("<!-- checked: %s -->\n", entry.name);
-        return;
-    }
     if (what == "--list") {
         for (const Function &function : functions)
             if (function.allocates)
                 std::printf("%s\n", function.name.c_str());
         return;
     }
-    if (onPage) {
-        const std::string text =
-            entry.make != nullptr ? PrintedMatrix(entry.make(), entry.name, cells) : PrintedRules();
+    if (functions.empty()) { // functions say here what they answer
+        const std::string text = entry.make != nullptr ? PrintedMatrix(entry.make()) : PrintedRules();
         if (what.empty())
             std::printf("<!-- checked: %s -->\n%s\n", entry.name, text.c_str());
-        else if (!cells)
-            ComparePages(pages, entry.name, text);
+        else
+            ComparePage(what, entry.name, text);
     }
     for (const Function &function : functions) {
         if (function.refuses && !what.empty())
-            CheckRules(function, cells);
-        if (function.allocates && !what.empty() && !cells)
+            CheckRules(function);
+        if (function.allocates && !what.empty())
             CheckAllocations(function);
     }
 }
@@ -368,8 +350,8 @@ int main(int argc, char **argv) {
     using namespace contracts;
     const std::string what = argc > 1 ? argv[1] : "";
     for (const Entry &entry : Entries())
-        Treat(entry, what, {argv + (argc > 1 ? 1 : argc), argv + argc});
-    if (what.empty() || what[0] == '-')
+        Treat(entry, what);
+    if (what.empty() || what == "--list")
         return 0;
     std::printf("%zu passed, %zu failed\n", passed, failed);
     return failed == 0 && passed > 0 ? 0 : 1;

@@ -14,7 +14,7 @@
 /// Functions, their arguments, and the rule that each argument must keep to. A rule has its bad values and
 /// the answer to them. Every function is called with good values; then with one bad value at a time, which
 /// must give the rule's answer. A function that allocates is called once for each of its allocations, which
-/// fails. The tables of docs/bad-input.md and answers.md are printed from this: `PROGRAM PAGE...` compares.
+/// fails. The tables of answers.md are printed from this: `PROGRAM PAGE` compares.
 
 namespace contracts {
 
@@ -96,7 +96,7 @@ struct Matrix {
     bool alone = true; ///< answers come from child processes: a signal that ends one is the answer
 };
 
-/// What a program checks under one name: functions, which `fill` adds by the calls above, or a matrix. A
+/// What a program checks under one name: functions, which `fill` adds by the calls above, or a matrix. The
 /// page has each matrix, and the rules, behind "<!-- checked: NAME -->".
 struct Table {
     Table(const char *name, void (*fill)());

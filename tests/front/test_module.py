@@ -16,6 +16,8 @@ import unittest.mock
 import boomerang as bmr
 from boomerang import _c, analysis, kinetic
 
+import c_types
+
 ROOT = pathlib.Path(sys.argv.pop(1))
 SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 
@@ -53,13 +55,12 @@ class CountingMemory:
 
 @functools.cache
 def types_of_c():
-    command = [sys.executable, str(ROOT / "tests/front/abi.py"), "types", str(ROOT), "c"]
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    return c_types.types(ROOT)
 
 
 def layout(name):
     """(size, {member: offset}) of a C record, as clang reads the headers."""
-    lines = types_of_c().splitlines()
+    lines = types_of_c()
     size = next(int(m.group(1)) for line in lines if (m := re.match(rf"record bmr_{name}: (\d+) bytes", line)))
     members = {m.group(2): int(m.group(1)) for line in lines if (m := re.match(rf"record bmr_{name} (\d+): .*?(\w+)$", line))}
     return size, members
@@ -90,7 +91,7 @@ class Library(unittest.TestCase):
     def test_every_function_takes_as_many_arguments_as_in_c(self):
         types = types_of_c()
         for name, (_, *arguments) in {**_c.CORE, **_c.KINETIC}.items():
-            taken = re.search(rf"^function {name}: .*?\((.*)\)$", types, re.M).group(1)
+            taken = next(m.group(1) for line in types if (m := re.match(rf"function {name}: .*?\((.*)\)$", line)))
             self.assertEqual(len(arguments), 0 if taken == "void" else taken.count(",") + 1, name)
 
     def test_the_version_is_that_of_the_build(self):
@@ -105,7 +106,7 @@ class Library(unittest.TestCase):
 
     def test_a_folder_without_the_library_is_told_what_has_it(self):
         with unittest.mock.patch.dict(os.environ, BOOMERANG_LIBRARY_DIR="/nowhere"):
-            with self.assertRaisesRegex(ImportError, "libboomerang_kinetic.so.1 is not found .* libboomerang-kinetic1 .*libgsl-dev"):
+            with self.assertRaisesRegex(ImportError, "libboomerang_kinetic.so.1 is not found .*libgsl-dev"):
                 _c.load("libboomerang_kinetic.so.1")
 
 

@@ -1,12 +1,10 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# which lines of core and the glue those tests ran, with --long of the plugin, too
+# which lines of core and the glue those tests ran
 
 stage_coverage() {
     build_sanitizers || return 1
     # After --only coverage the tests are yet to run, or ran when others were chosen.
     [ "$(cat "$BMR_BUILD_DIR/profiles/long" 2>/dev/null)" = "$long" ] || stage_sanitized_tests
-    local options=()
-    [ "$long" = yes ] || options=(--partial)
-    check "coverage" "$root/tests/coverage/report" "${options[@]}" "$BMR_BUILD_DIR"
+    check "coverage" "$root/tests/coverage/report" "$BMR_BUILD_DIR"
 }

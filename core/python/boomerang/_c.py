@@ -146,9 +146,8 @@ def load(name):
     try:
         return ctypes.CDLL(str(pathlib.Path(folder) / name) if folder else name)
     except OSError as problem:
-        stem, _, number = name.replace("_", "-").partition(".so.")
         needs = ", built where GSL is (libgsl-dev)" if "kinetic" in name else ""
-        raise ImportError(f"{name} is not found ({problem}). It comes with Debian's package {stem}{number} of Boomerang{needs}; where it "
+        raise ImportError(f"{name} is not found ({problem}). It is a part of Boomerang{needs}; where it "
                           "lies elsewhere, set BOOMERANG_LIBRARY_DIR to its folder") from None
 
 
