@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Installs the documentation: a few pages, and whatever these link to, page by page, so that a new one comes in by itself. What they link
+# Installs the documentation: a few pages, and the files that these link to, page by page, so that a new one comes in by itself. What they link
 # to in tests/ stays in the sources; such a link becomes the name of the file. Run by `cmake --install`, with these set:
 #
 #   boomerang_root          the sources

@@ -15,7 +15,7 @@
 #   documentation         README.md, docs/, and what these link to
 #   python                the Python module
 #
-# Whatever is installed without a COMPONENT belongs to the runtime.
+# Files that are installed without a COMPONENT belong to the runtime.
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
 
@@ -175,7 +175,7 @@ if(PROJECT_IS_TOP_LEVEL)
       -P ${CMAKE_CURRENT_LIST_DIR}/BoomerangUninstall.cmake
     COMMENT "Taking away what the last installation put there" VERBATIM)
   # `cpack -G DEB` in the build tree makes one package of all of it.
-  set(CPACK_PACKAGE_CONTACT "whoever built it <root@localhost>")
+  set(CPACK_PACKAGE_CONTACT "The Boomerang authors <root@localhost>")
   set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
   set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
