@@ -16,7 +16,7 @@ lacks_fma() {
 
 # processor_for VARIANT: sets the arrays runner, what a program is started with, and set_variable, how the runner is told of a
 # variable of the program's. Says what is missing where it cannot. BOX2D_BUILDS_PROCESSOR: a processor of qemu's to be used in any
-# case, e.g. Haswell-noTSX. BOX2D_BUILDS_EMULATOR: the command that runs programs of another processor, all variants (tests/arm64).
+# case, e.g. Haswell-noTSX. BOX2D_BUILDS_EMULATOR: the command that runs programs of another processor, all variants (tests/box2d_builds/arm64).
 processor_for() {
     if [ -n "${BOX2D_BUILDS_EMULATOR:-}" ]; then
         read -ra runner <<<"env $BOX2D_BUILDS_EMULATOR -E BOOMERANG=on"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Theorem transpoly's other half: not how many events a translation has, but what each of them costs. A step
-// is a vertex, an edge, a node or a cell that is looked at (tests/steps shows that this is the time).
+// is a vertex, an edge, a node or a cell that is looked at (tests/claims/steps shows that this is the time).
 #include "checks.h"
 #include "kds_driver.h"
 #include "structure_named.h"

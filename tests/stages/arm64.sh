@@ -9,8 +9,8 @@ stage_arm64() {
     for compiler in gcc clang; do
         in_tree "arm64-$compiler"
         bmr_say "configuring $BMR_BUILD_DIR, with Box2D's source"
-        bmr_quietly "$BMR_BUILD_DIR/boomerang-configure.log" cmake -S "$root/tests/arm64" -B "$BMR_BUILD_DIR" -G Ninja \
-            "-DCMAKE_TOOLCHAIN_FILE=$root/tests/arm64/toolchain.cmake" "-DARM64_COMPILER=$compiler" \
+        bmr_quietly "$BMR_BUILD_DIR/boomerang-configure.log" cmake -S "$root/tests/box2d_builds/arm64" -B "$BMR_BUILD_DIR" -G Ninja \
+            "-DCMAKE_TOOLCHAIN_FILE=$root/tests/box2d_builds/arm64/toolchain.cmake" "-DARM64_COMPILER=$compiler" \
             -DBOOMERANG_WARNINGS_AS_ERRORS=ON || return 1
         BMR_JOBS=$jobs bmr_build || return 1
         BMR_TEST_SCALE=0.1 run_tests "ARM64 ($compiler)"

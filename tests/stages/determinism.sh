@@ -26,5 +26,5 @@ stage_determinism() {
     build_release || return 1
     # Box2D and GSL keep what they have to the end of the process.
     check "determinism" env ASAN_OPTIONS=detect_leaks=0 LLVM_PROFILE_FILE=/dev/null BMR_JOBS="$jobs" \
-        "$root/tests/determinism/run" "${libraries[@]}" "$BMR_BUILD_DIR"
+        "$root/tests/stages/determinism/run" "${libraries[@]}" "$BMR_BUILD_DIR"
 }

@@ -38,12 +38,12 @@ platform() {
     bmr_need_packages "${packages[@]}" || return 1
     in_tree "platform-$name"
     [ "$suffix" != .js ] || export NODE_PATH=/usr/share/nodejs # where Debian's node finds what Emscripten asks for
-    check "platform $name: configured" bmr_quietly "$BMR_BUILD_DIR/configure.log" cmake -S "$root/tests/platforms" -B "$BMR_BUILD_DIR" \
+    check "platform $name: configured" bmr_quietly "$BMR_BUILD_DIR/configure.log" cmake -S "$root/tests/box2d_builds/platforms" -B "$BMR_BUILD_DIR" \
         -G Ninja -DCMAKE_BUILD_TYPE=Release "-DBOX2D_SOURCE=$source" "$@" || return 1
     check "platform $name: built" bmr_quietly "$BMR_BUILD_DIR/build.log" cmake --build "$BMR_BUILD_DIR" --parallel "$jobs" || return 1
     case $suffix in
     .exe) runner=(env WINEDEBUG=-all "WINEPREFIX=$build_base-wine" wine) ;;
     .js) runner=(node --no-experimental-fetch) ;;
     esac
-    check "platform $name" "$root/tests/platforms/play.sh" "$BMR_BUILD_DIR" "$suffix" "${runner[@]}"
+    check "platform $name" "$root/tests/box2d_builds/platforms/play.sh" "$BMR_BUILD_DIR" "$suffix" "${runner[@]}"
 }

@@ -7,7 +7,7 @@
 # In the gate the corpora of tests/random, the actor's among them, are replayed under the sanitizers alone.
 build_release() {
     local rooms=''
-    [ "$long" = yes ] || rooms='gate;as_stock;hooks;front;plugin;contracts;threads;steps'
+    [ "$long" = yes ] || rooms='gate;as_stock;front;plugin;plugin/hooks;plugin/threads;contracts;claims/steps'
     build_tree release release "-DBOOMERANG_TEST_ROOMS=$rooms" -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON -DBOOMERANG_QUICK_BUILD=ON \
         -DBOOMERANG_WARNINGS_AS_ERRORS=ON
 }

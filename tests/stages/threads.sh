@@ -6,6 +6,6 @@
 stage_threads() {
     local flags='-O2 -g1 -DNDEBUG'
     build_tree tsan tsan -DBOOMERANG_BUILD_TESTBED=OFF "-DCMAKE_C_FLAGS_RELWITHDEBINFO=$flags" \
-        "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=$flags" -- tests/threads/all &&
+        "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=$flags" -- tests/plugin/threads/all &&
         BMR_TEST_SCALE=${BMR_TEST_SCALE:-0.1} run_tests "tests (thread sanitizer)" --label-regex '^threads$'
 }

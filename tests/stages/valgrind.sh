@@ -24,7 +24,7 @@ memcheck() {
 
 # A step that loses a kilobyte is found. (The library must see the step first, or it takes Box2D for another one.)
 memcheck_control() {
-    cc -shared -fPIC -O1 -o "$work/leaking_step.so" "$root/tests/soak/leaking_step.c" -ldl &&
+    cc -shared -fPIC -O1 -o "$work/leaking_step.so" "$root/tests/stages/soak/leaking_step.c" -ldl &&
         ! memcheck stock chain-rocks 5 "$BMR_BUILD_DIR/lib/libboomerang_box2d.so $work/leaking_step.so" && grep -q 'are definitely lost' "$work/memcheck/errors"
 }
 

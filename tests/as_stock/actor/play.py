@@ -141,7 +141,7 @@ def main():
     verdicts = Verdicts()
     with tempfile.TemporaryDirectory() as room, concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
         traps = f"{room}/traps.so"
-        subprocess.run(["cc", "-shared", "-fPIC", "-o", traps, str(ROOT / "tests/determinism/traps.c"), "-lm"], check=True)
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", traps, str(ROOT / "tests/stages/determinism/traps.c"), "-lm"], check=True)
         stage = Stage(given, traps)
         wanted = given.forms.split(",")
         bases = {form: BASES.get(form, "stock") for form in wanted}

@@ -14,7 +14,7 @@ room=$(mktemp -d)
 holds_shows=$room/said
 trap 'rm -rf "$room"' EXIT
 # shellcheck source=tests/kit/holds.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../../kit/holds.sh"
 # What goes round for ever ends: many hundred times what a game needs of a processor, however busy the machine is.
 ulimit -t 120
 unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD

@@ -22,7 +22,7 @@ last_of() {
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # shellcheck source=tests/kit/holds.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../../kit/holds.sh"
 unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
 read -ra emulator <<<"${BOX2D_BUILDS_EMULATOR:?}"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "../as_stock/actor/actor.h"
+#include "../../as_stock/actor/actor.h"
 #include "scene.h"
 #include "state/snapshot.h"
 

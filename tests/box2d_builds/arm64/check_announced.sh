@@ -10,10 +10,10 @@ build=${1:?} plugin=${2:?}
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # shellcheck source=tests/kit/holds.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../../kit/holds.sh"
 unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
 # shellcheck source=tests/box2d_builds/processor.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../box2d_builds/processor.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../processor.sh"
 processor_for fused || exit 1
 
 # says VARIANT LINE [PRELOADED]: its one line begins so (of the accelerated game, where it is said what is preloaded), steps were counted, and edges asked.
