@@ -12,19 +12,6 @@
 namespace {
 
 boomerang_counts counted;
-boomerang_count_watcher watcher = nullptr;
-void *watcherContext = nullptr;
-
-void Tell(boomerang_counted what, const void *a, const void *b) {
-    if (watcher != nullptr)
-        watcher(watcherContext, what, a, b);
-}
-
-const void *FirstVertexOf(const b2Shape *shape, int32 child) {
-    b2DistanceProxy proxy;
-    proxy.Set(shape, child);
-    return proxy.m_vertices;
-}
 
 /// The function of that name in whatever was loaded after this library: the plugin's, or Box2D's.
 template <typename Function> Function Next(const char *name) {
@@ -44,11 +31,6 @@ void boomerang_count_read(boomerang_counts *counts) {
     *counts = counted;
 }
 
-void boomerang_count_watch(boomerang_count_watcher told, void *context) {
-    watcher = told;
-    watcherContext = context;
-}
-
 // Each finds the next of its own name; the names are those of the Itanium C++ ABI.
 
 void b2CollidePolygons(b2Manifold *manifold, const b2PolygonShape *polygonA, const b2Transform &xfA,
@@ -56,7 +38,6 @@ void b2CollidePolygons(b2Manifold *manifold, const b2PolygonShape *polygonA, con
     static const auto next = Next<decltype(&b2CollidePolygons)>(
         "_Z17b2CollidePolygonsP10b2ManifoldPK14b2PolygonShapeRK11b2TransformS3_S6_");
     ++counted.polygon_tests;
-    Tell(BOOMERANG_COUNTED_POLYGON_TEST, polygonA->m_vertices, polygonB->m_vertices);
     next(manifold, polygonA, xfA, polygonB, xfB);
     if (manifold->pointCount == 0)
         ++counted.polygon_tests_apart;
@@ -68,8 +49,6 @@ bool b2TestOverlap(const b2Shape *shapeA, int32 indexA, const b2Shape *shapeB, i
         bool (*)(const b2Shape *, int32, const b2Shape *, int32, const b2Transform &, const b2Transform &);
     static const auto next = Next<Overlap>("_Z13b2TestOverlapPK7b2ShapeiS1_iRK11b2TransformS4_");
     ++counted.overlap_calls;
-    if (watcher != nullptr)
-        Tell(BOOMERANG_COUNTED_OVERLAP, FirstVertexOf(shapeA, indexA), FirstVertexOf(shapeB, indexB));
     return next(shapeA, indexA, shapeB, indexB, xfA, xfB);
 }
 
@@ -77,7 +56,6 @@ void b2TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     static const auto next =
         Next<decltype(&b2TimeOfImpact)>("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");
     ++counted.toi_calls;
-    Tell(BOOMERANG_COUNTED_TOI, input->proxyA.m_vertices, input->proxyB.m_vertices);
     next(output, input);
 }
 
@@ -86,6 +64,5 @@ void b2Distance(b2DistanceOutput *output, b2SimplexCache *cache, const b2Distanc
     static const auto next =
         Next<Distance>("_Z10b2DistanceP16b2DistanceOutputP14b2SimplexCachePK15b2DistanceInput");
     ++counted.distance_calls;
-    Tell(BOOMERANG_COUNTED_DISTANCE, input->proxyA.m_vertices, input->proxyB.m_vertices);
     next(output, cache, input);
 }

@@ -21,19 +21,6 @@ struct boomerang_counts {
 
 /// Calls since the process began.
 __attribute__((visibility("default"))) void boomerang_count_read(boomerang_counts *counts);
-
-enum boomerang_counted {
-    BOOMERANG_COUNTED_POLYGON_TEST,
-    BOOMERANG_COUNTED_TOI,
-    BOOMERANG_COUNTED_DISTANCE,
-    BOOMERANG_COUNTED_OVERLAP
-};
-/// Is told of each call before it is made. `a`, `b`: the address of each shape's first vertex (a circle's
-/// centre), where a b2DistanceProxy of the shape points to; a chain's is nobody's.
-typedef void (*boomerang_count_watcher)(void *context, boomerang_counted what, const void *a, const void *b);
-/// From now on; NULL: nobody is told.
-__attribute__((visibility("default"))) void boomerang_count_watch(boomerang_count_watcher watcher,
-                                                                  void *context);
 }
 
 #endif

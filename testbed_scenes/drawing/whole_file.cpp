@@ -34,7 +34,6 @@ WholeFile::WholeFile(const std::string &path) : m_target(path), m_writePath(path
         return;
     m_writePath = m_target;
     m_writePath += "." + std::to_string(getpid()) + ".part";
-    m_unfinished.emplace(m_writePath.string());
 }
 
 WholeFile::~WholeFile() {
@@ -72,7 +71,6 @@ void WholeFile::Finish() {
     if (error)
         FailToWrite(m_target.string(), error.value());
     m_writePath = m_target;
-    m_unfinished.reset();
 }
 
 } // namespace testbed

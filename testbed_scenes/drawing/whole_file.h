@@ -3,16 +3,13 @@
 #define BOOMERANG_TESTBED_WHOLE_FILE_H
 
 #include <filesystem>
-#include <optional>
 #include <string>
-
-#include "drawing/unfinished.h"
 
 namespace testbed {
 
 /// A file that is there whole or as it was before: it is written beside its place, under another name, and
 /// takes its place when it is finished. What is no regular file (a device, a pipe) is written directly, and
-/// so is a file whose directory takes no other. An interrupt leaves nothing unfinished behind (Unfinished).
+/// so is a file whose directory takes no other. (An interrupt leaves a file .part behind.)
 class WholeFile {
 public:
     /// Touches nothing yet.
@@ -33,7 +30,6 @@ public:
 
 private:
     std::filesystem::path m_target, m_writePath;
-    std::optional<Unfinished> m_unfinished;
 };
 
 /// "cannot write PATH: Permission denied": what errno says, or the number given.

@@ -7,18 +7,15 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include <unistd.h>
 
-#include "drawing/unfinished.h"
-
 namespace testbed {
 namespace {
 
-/// A file that goes away with its object, or with an interrupt.
+/// A file that goes away with its object.
 class TemporaryFile {
 public:
     /// Makes it, empty. Throws std::runtime_error.
@@ -29,7 +26,6 @@ public:
         if (descriptor < 0)
             throw std::runtime_error("cannot make a temporary file in " + directory.string());
         close(descriptor);
-        m_unfinished.emplace(m_path);
     }
     ~TemporaryFile() {
         std::error_code ignored;
@@ -41,7 +37,6 @@ public:
 
 private:
     std::string m_path;
-    std::optional<Unfinished> m_unfinished;
 };
 
 /// The least separation in Box2D's metres: ten times the two skins, so that the solver never moves a body.

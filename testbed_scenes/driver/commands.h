@@ -9,7 +9,7 @@
 
 #include "boomerang/kds.h"
 #include "compare.h"
-#include "picture/picture.h"
+#include "pictures.h"
 #include "workers.h"
 #include "worlds/figures.h"
 
@@ -71,46 +71,25 @@ std::vector<SceneInfo> SelectScenes(const std::vector<SceneInfo> &all, const std
 
 struct RenderCommand {
     std::string scene;
-    std::string recording; ///< a file instead of a scene
-    std::optional<int64_t> step;
-    std::string frames; ///< FIRST:LAST[:EVERY] instead of a step
+    std::vector<std::string>
+        polygons;        ///< or files of two polygons of one's own, A's and B's (one: both alike),
+    std::string motion;  ///< and of their motion,
+    int64_t steps = 300; ///< which takes so many steps
     bool plugin = true;
-    std::string output;
-    std::string focus;
-    int width = 1200;
     bool quiet = false;
-    /// What to draw: none named means what Layers has by itself.
-    Layers named = {false, false, false, false, false, false, false, false, false};
-    bool all = false, bare = false;
+    PictureRequest pictures;
     WorkerOptions worker;
 };
 
 /// The options that are render's own; the scene's and the plugin's are added as for other commands.
 CLI::App *AddRender(CLI::App &app, RenderCommand &command);
 
-/// Returns the exit code; errors are thrown (UsageError, WorkerError, std::runtime_error).
-int Execute(const RenderCommand &command, const Workers &workers);
+/// What --structure takes: the plugin's structures, and for two polygons of one's own those of the paper.
+std::vector<std::string> RenderStructures();
 
-struct ReplayCommand {
-    std::string scene;
-    std::string recording;             ///< a file instead of a scene
-    std::vector<std::string> polygons; ///< or files of one's own pair, A's and B's (one: both alike),
-    std::string motion;                ///< and of its motion
-    std::optional<int64_t> steps;
-    std::string output;
-    bool quiet = false;
-    WorkerOptions worker;
-};
-
-/// The options that are replay's own; the scene's and the plugin's are added as for other commands.
-CLI::App *AddReplay(CLI::App &app, ReplayCommand &command);
-
-/// What --structure takes: the plugin's structures, and for a pair of one's own those of the paper.
-std::vector<std::string> ReplayStructures();
-
-/// Runs the scene with the plugin, then on stock Box2D, and writes the page. Returns the exit code: a
-/// difference between the two runs is one. Errors are thrown (UsageError, WorkerError, std::runtime_error).
-int Execute(const ReplayCommand &command, const Workers &workers);
+/// Returns the exit code; errors are thrown (UsageError, WorkerError, std::runtime_error). Only scenes need
+/// workers.
+int Execute(const RenderCommand &command, const std::string &workersDirectory);
 
 /// `boomerang-testbed world`: runs a kinetic world of many polygons and tells what it cost.
 struct WorldCommand {
@@ -122,8 +101,9 @@ struct WorldCommand {
     uint64_t seed = 1;
     bool allPairs = false, check = false, audit = false, quiet = false, list = false;
     std::string growth; ///< N1,N2,..
-    std::string json, csv, record;
-    double rate = 30.0; ///< frames of a recording for each unit of time
+    std::string json, csv;
+    PictureRequest pictures; ///< without an output: none
+    double rate = 30.0;      ///< steps for each unit of time
 };
 
 /// Adds the subcommand with its options, which write into `command`.

@@ -8,7 +8,6 @@
 
 #include "command_line/usage.h"
 #include "commands.h"
-#include "drawing/unfinished.h"
 
 namespace testbed {
 namespace {
@@ -24,7 +23,6 @@ struct CommandLine {
     RunCommand run;
     CompareCommand compare;
     RenderCommand render;
-    ReplayCommand replay;
     FiguresCommand figures;
     EventsCommand events;
     WorldCommand world;
@@ -147,16 +145,13 @@ int Answer(int argc, char **argv) {
         ->check(CLI::ExistingDirectory);
     const CLI::App *list = AddList(app, line);
     const CLI::App *run = AddRun(app, line);
-    const CLI::App *compare = AddCompare(app, line);
+    AddCompare(app, line);
     CLI::App *render = AddRender(app, line.render);
     AddPluginSwitch(*render, line.render.plugin);
-    AddPluginOptions(*render, line.render.worker);
+    AddPluginOptions(*render, line.render.worker, RenderStructures());
     AddSceneOptions(*render, line.render.worker);
     const CLI::App *figures = AddFigures(app, line);
     const CLI::App *events = AddEvents(app, line.events);
-    CLI::App *replay = AddReplay(app, line.replay);
-    AddPluginOptions(*replay, line.replay.worker, ReplayStructures());
-    AddSceneOptions(*replay, line.replay.worker);
     const CLI::App *world = AddWorld(app, line.world);
     for (CLI::App *subcommand : app.get_subcommands({})) {
         const std::string own = subcommand->get_footer();
@@ -184,26 +179,18 @@ int Answer(int argc, char **argv) {
         return Execute(line.events, line.directory);
     if (app.got_subcommand(world))
         return Execute(line.world);
+    if (app.got_subcommand(render))
+        return Execute(line.render, line.directory);
     const Workers workers(line.directory);
-    int status = 0;
     if (app.got_subcommand(list))
-        status = Execute(line.list, workers);
-    else if (app.got_subcommand(run))
-        status = Execute(line.run, workers);
-    else if (app.got_subcommand(compare))
-        status = Execute(line.compare, workers);
-    else if (app.got_subcommand(replay))
-        status = Execute(line.replay, workers);
-    else
-        status = Execute(line.render, workers);
-    return status;
+        return Execute(line.list, workers);
+    return app.got_subcommand(run) ? Execute(line.run, workers) : Execute(line.compare, workers);
 }
 
 } // namespace
 } // namespace testbed
 
 int main(int argc, char **argv) {
-    testbed::Unfinished::RemoveOnSignals();
     try {
         const int status = testbed::Answer(argc, argv);
         // What nobody could read was not done.

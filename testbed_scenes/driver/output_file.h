@@ -23,7 +23,7 @@ public:
             WholeFile::Check(path);
     }
     bool IsWanted() const { return !m_path.empty(); }
-    /// Opened when it is first asked for: an interrupt before leaves nothing behind.
+    /// Opened when it is first asked for.
     std::ostream &Stream() {
         errno = 0;
         if (!m_stream.is_open())

@@ -14,6 +14,12 @@ std::string Fixed(std::optional<double> number, int decimals) {
     return text;
 }
 
+std::string General(double number, int digits) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*g", digits, number);
+    return text;
+}
+
 std::string Styled(const std::string &text, Style style, bool colour) {
     if (!colour)
         return text;
@@ -127,18 +133,8 @@ void Table::PrintMarkdown(std::ostream &out) const {
     }
 }
 
-namespace {
-
-/// Nine digits, as few of them as tell the number.
-std::string General(double number) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", number);
-    return text;
-}
-
-} // namespace
-
 void WriteCsv(std::ostream &out, const nlohmann::json &rows, const CsvColumns &columns) {
+    constexpr int kCsvDigits = 9;
     const char *comma = "";
     for (const auto &column : columns) {
         out << comma << column.first;
@@ -157,7 +153,7 @@ void WriteCsv(std::ostream &out, const nlohmann::json &rows, const CsvColumns &c
             else if (value.is_boolean())
                 out << (value.get<bool>() ? 1 : 0);
             else if (value.is_number_float())
-                out << General(value.get<double>());
+                out << General(value.get<double>(), kCsvDigits);
             else if (!value.is_null())
                 out << value.dump();
         }

@@ -14,6 +14,8 @@ namespace testbed {
 
 /// A number with so many decimals, "-" for none.
 std::string Fixed(std::optional<double> number, int decimals);
+/// Four digits, or as many as are wanted, and no more than tell the number.
+std::string General(double number, int digits = 4);
 
 enum class Style { Plain, Good, Bad, Faint, Strong };
 

@@ -10,13 +10,13 @@
 #include "output_file.h"
 #include "progress.h"
 #include "table.h"
-#include "worlds/record.h"
+#include "worlds/frames.h"
 
 namespace testbed {
 namespace {
 
-/// A recording of more would be gigabytes.
-constexpr double kMostFrames = 20000.0;
+/// A run of more takes hours and gigabytes.
+constexpr double kMostSteps = 20000.0;
 /// Of the progress line.
 constexpr int kProgressUnits = 1000;
 
@@ -26,14 +26,8 @@ std::string Scientific(double number) {
     return text;
 }
 
-std::string General(double number) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", number);
-    return text;
-}
-
-/// Frames of a recording after the first.
-int FramesOf(const WorldCommand &command, const WorldChoice &choice) {
+/// Steps after the first frame.
+int StepsOf(const WorldCommand &command, const WorldChoice &choice) {
     return std::max(1, static_cast<int>(std::lround(choice.seconds * command.rate)));
 }
 
@@ -128,24 +122,27 @@ WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
     MeasureOptions options;
     options.check = command.check;
     options.audit = command.audit;
-    OutputFile file(command.record);
-    std::optional<WorldRecorder> recorder;
-    if (file.IsWanted()) {
-        options.slices = FramesOf(command, setup.choice);
-        recorder.emplace(setup, options.slices);
-        options.onContact = [&](const bmr_contact &contact) { recorder->Add(contact); };
-        options.onEvent = [&](const bmr_world_event &event) { recorder->Add(event); };
-        file.Stream() << recording::Print(recorder->Head()) << '\n';
+    std::optional<PictureSeries> series;
+    WorldFrames frames(setup);
+    if (!command.pictures.output.empty()) {
+        options.slices = StepsOf(command, setup.choice);
+        series.emplace(command.pictures, PictureSource::World);
+        options.onContact = [&](const bmr_contact &contact) { frames.Add(contact); };
+        options.onEvent = [&](const bmr_world_event &event) { frames.Add(event); };
     }
     options.onSlice = [&](const WorldRun &run, double part) {
-        if (recorder)
-            file.Stream() << recording::Print(recorder->Take(run)) << '\n';
+        if (series)
+            series->Add(frames.Take(run));
         progress.FinishUpTo(static_cast<int>(kProgressUnits * part));
         progress.Show(setup.choice.scene + ", time " + General(run.Time()), 0.0);
     };
     const WorldFigures figures = Measure(setup, options);
-    if (file.IsWanted())
-        file.Close();
+    if (series) {
+        series->Draw();
+        progress.Clear();
+        if (!command.quiet)
+            std::cout << series->Said() << "\n\n";
+    }
     return figures;
 }
 
@@ -187,11 +184,13 @@ int Execute(const WorldCommand &command) {
         return kExitOk;
     }
     const WorldChoice choice = ChoiceFor(command);
-    if (!command.record.empty()) {
-        if (!(command.rate > 0.0) || !(choice.seconds * command.rate < kMostFrames))
-            throw UsageError("--rate: it must be above 0, and the recording must have fewer than " +
-                             General(kMostFrames) + " frames");
-        OutputFile(command.record); // before the work: it must have a place
+    if (!command.pictures.output.empty()) {
+        if (!(command.rate > 0.0) || !(choice.seconds * command.rate < kMostSteps))
+            throw UsageError("--rate: it must be above 0, and the run must have fewer than " +
+                             General(kMostSteps) + " steps");
+        // Before the work.
+        PictureSeries(command.pictures, PictureSource::World)
+            .CheckLast(choice.scene, StepsOf(command, choice));
     }
     try {
         return Perform(command);

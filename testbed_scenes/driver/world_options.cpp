@@ -15,14 +15,16 @@
 namespace testbed {
 namespace {
 
-constexpr char kNotes[] = "Lengths are in radii of the smallest body's disk. Polygons have the density 1, "
-                          "and their origins at their "
-                          "centres of mass.\nThe answer is elastic, stick, pass (through each other), or a "
-                          "number: the restitution, "
-                          "from 0 to 1.\n--zeno: what becomes of infinitely many contacts in finite time: an "
-                          "error that says so, or slow "
-                          "ones are answered elastically.\n--record: `replay --recording FILE` and `render "
-                          "--recording FILE` show it.";
+constexpr char kNotes[] =
+    "Lengths are in radii of the smallest body's disk. Polygons have the density 1, "
+    "and their origins at their "
+    "centres of mass.\nThe answer is elastic, stick, pass (through each other), or a "
+    "number: the restitution, "
+    "from 0 to 1.\n--zeno: what becomes of infinitely many contacts in finite time: an "
+    "error that says so, or slow "
+    "ones are answered elastically.\n--picture: the run after a step, or a series (a step "
+    "is 1 / --rate of a unit of time).\n\nExample:\n"
+    "  boomerang-testbed world gas --picture gas.png --frames 0:600:10 --all\n\n";
 
 /// A number of at least `least` (or above it) and at most `most`; CLI11's own range lets NaN pass.
 double Checked(const char *option, double value, double least, double most, bool above = false) {
@@ -143,17 +145,18 @@ CLI::App *AddWorld(CLI::App &app, WorldCommand &command) {
             return text.empty() ? std::string("N1,N2,.. is wanted") : std::string();
         },
         "N1,N2,.."));
-    CLI::Option *record =
-        world->add_option("--record", command.record, "Write the run into this file, to be shown");
-    world->add_option("--rate", command.rate, "Frames of --record in a unit of time")
-        ->needs(record)
+    CLI::Option *picture = world->add_option("--picture", command.pictures.output,
+                                             "Draw the run into this file: .svg, .png or .pdf");
+    world->add_option("--rate", command.rate, "Steps of --picture in a unit of time")
+        ->needs(picture)
         ->capture_default_str();
-    growth->excludes(record);
+    AddPictureOptions(*world, command.pictures, picture);
+    growth->excludes(picture);
     world->add_option("--csv", command.csv, "Write the figures into this file, one row a run");
     world->add_option("--json", command.json, "Write the figures into this file, as JSON");
     world->add_flag("--quiet", command.quiet, "No tables");
     world->add_flag("--list", command.list, "Show the scenes, and run nothing");
-    world->footer(kNotes);
+    world->footer(std::string(kNotes) + kLayersHelp);
     return world;
 }
 

@@ -9,8 +9,8 @@
 namespace testbed {
 namespace {
 
-using recording::Body;
-using recording::Fixture;
+using shown::Body;
+using shown::Fixture;
 
 constexpr double kEdgeWidth = 0.9, kChainWidth = 1.6;
 /// How faint what is not in focus is.
@@ -132,17 +132,17 @@ void DrawBodies(Canvas &canvas, const WorldView &world, double unit, const std::
 
 void DrawJoints(Canvas &canvas, const WorldView &world, double unit) {
     const Pen pen = {style::kJoint, 1.2 * unit, 0.8, {}};
-    for (const recording::Joint &joint : world.Frame().joints) {
+    for (const shown::Joint &joint : world.Frame().joints) {
         for (const auto &[from, to] : joint.segments)
             canvas.Segment(ToVec2(from), ToVec2(to), pen);
-        for (const recording::Vec &anchor : joint.anchors)
+        for (const shown::Vec &anchor : joint.anchors)
             canvas.Dot(ToVec2(anchor), 2.0 * unit, style::kJoint);
     }
 }
 
 void DrawBoxes(Canvas &canvas, const WorldView &world, double unit) {
     const Pen pen = {style::kBox, 0.8 * unit, 0.6, {1.0 * unit, 3.0 * unit}};
-    for (const recording::Box &box : world.Frame().boxes) {
+    for (const shown::Box &box : world.Frame().boxes) {
         const auto corner = [](float x, float y) { return ToVec2({x, y}); };
         canvas.Polygon({corner(box.left, box.bottom), corner(box.right, box.bottom),
                         corner(box.right, box.top), corner(box.left, box.top)},
@@ -171,12 +171,12 @@ void DrawTrails(Canvas &canvas, const std::map<int, std::deque<bmr_vec2>> &trail
 void DrawContacts(Canvas &canvas, const WorldView &world, double unit) {
     constexpr double kShortest = 4.0, kLongest = 16.0;
     float most = 0.0f;
-    for (const recording::Contact &contact : world.Frame().touching)
-        for (const recording::ContactPoint &point : contact.points)
+    for (const shown::Contact &contact : world.Frame().touching)
+        for (const shown::ContactPoint &point : contact.points)
             most = std::max(most, point.impulse);
     const Pen pen = {style::kContact, 1.1 * unit, 0.95, {}};
-    for (const recording::Contact &contact : world.Frame().touching) {
-        for (const recording::ContactPoint &point : contact.points) {
+    for (const shown::Contact &contact : world.Frame().touching) {
+        for (const shown::ContactPoint &point : contact.points) {
             const double share = most > 0.0f ? std::sqrt(static_cast<double>(point.impulse / most)) : 0.0;
             const double length = (kShortest + share * (kLongest - kShortest)) * unit / canvas.Scale();
             const bmr_vec2 at = ToVec2(point.at);

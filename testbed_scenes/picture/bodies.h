@@ -15,7 +15,7 @@
 namespace testbed {
 
 /// "dynamic", "sleeping", "kinematic", "static", "sensor" or "disabled", and its colour.
-std::string StateOf(const recording::Body &body, const recording::Fixture &fixture);
+std::string StateOf(const shown::Body &body, const shown::Fixture &fixture);
 Colour ColourOfState(const std::string &state);
 
 /// All bodies, those that stand still first. Those that `isDim` are fainter.

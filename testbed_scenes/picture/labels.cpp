@@ -150,7 +150,7 @@ bool IsInside(const Points &polygon, bmr_vec2 point) {
     return !polygon.empty() && !(left && right);
 }
 
-Points CornersOf(const Canvas &canvas, const WorldView &world, const recording::Fixture &fixture) {
+Points CornersOf(const Canvas &canvas, const WorldView &world, const shown::Fixture &fixture) {
     Points points = world.ToWorld(fixture.body, fixture.points);
     if (fixture.shape == "circle" && !points.empty()) {
         const bmr_vec2 centre = points[0];
@@ -173,7 +173,7 @@ std::optional<bmr_vec2> MiddleOfVisible(const Canvas &canvas, const WorldView &w
     std::vector<Points> parts;
     bmr_vec2 largest = bmr_vec2_make(0.0, 0.0), sum = largest;
     double most = 0.0, all = 0.0;
-    for (const recording::Fixture *fixture : world.FixturesOf(body)) {
+    for (const shown::Fixture *fixture : world.FixturesOf(body)) {
         if (fixture->shape != "polygon" && fixture->shape != "circle")
             continue;
         parts.push_back(Clipped(CornersOf(canvas, world, *fixture), area));

@@ -24,22 +24,21 @@ std::string Counted(std::size_t count, const char *one, const char *many) {
 
 } // namespace
 
-void AddContents(const recording::Head &head, const recording::Frame &frame,
-                 const recording::Gathered &gathered, const PictureOptions &options, Contents *contents) {
-    const WorldView world(frame, gathered);
-    for (const recording::Body &body : frame.bodies)
-        for (const recording::Fixture *fixture : world.FixturesOf(body.number))
+void AddContents(const shown::Frame &frame, const PictureOptions &options, Contents *contents) {
+    const WorldView world(frame);
+    for (const shown::Body &body : frame.bodies)
+        for (const shown::Fixture *fixture : world.FixturesOf(body.number))
             if (!options.region || !IsEmpty(Intersection(world.BoxOf(*fixture), *options.region)))
                 contents->states[StateOf(body, *fixture)] += 1;
-    for (const recording::Pair &pair : frame.pairs) {
+    for (const shown::Pair &pair : frame.pairs) {
         if (!IsInFocus(options, pair))
             continue;
-        for (const recording::Proof &proof : pair.proofs)
+        for (const shown::Proof &proof : pair.proofs)
             if (proof.kind != "none")
                 contents->proofs[proof.kind] += 1;
-        contents->handedOver += head.program != "world" && pair.handed_over > 0 && pair.contacts > 0 ? 1 : 0;
+        contents->handedOver += frame.program != "world" && pair.handed_over > 0 && pair.contacts > 0 ? 1 : 0;
     }
-    for (const recording::Contact &contact : frame.touching)
+    for (const shown::Contact &contact : frame.touching)
         contents->points += contact.points.size();
     for (const auto &[kind, count] : EventsInFocus(world, options))
         contents->events[kind] += count;
@@ -47,15 +46,15 @@ void AddContents(const recording::Head &head, const recording::Frame &frame,
 }
 
 Legend::Legend(Canvas &canvas, const WorldView &world, const PictureOptions &options, std::string title,
-               const recording::Head &head, double width, double unit)
-    : m_canvas(canvas), m_options(options), m_kinetic(head.program == "world"), m_unit(unit),
+               double width, double unit)
+    : m_canvas(canvas), m_options(options), m_kinetic(world.Frame().program == "world"), m_unit(unit),
       m_title(std::move(title)) {
     if (options.series)
         m_contents = *options.series;
     else
-        AddContents(head, world.Frame(), world.Gathered(), options, &m_contents);
+        AddContents(world.Frame(), options, &m_contents);
     AddBodies();
-    if (head.period.x > 0.0f)
+    if (world.Frame().period.x > 0.0f)
         AddLine("periodic box", {style::kText, 1.6 * m_unit, 0.8, {9.0 * m_unit, 5.0 * m_unit}});
     AddProofs();
     AddOthers();
@@ -176,9 +175,18 @@ void Legend::AddOthers() {
     const std::map<std::string, std::size_t> &kinds = m_contents.events;
     if (counts) {
         events = "in this step:";
+        const auto add = [&events](std::size_t count, const std::string &kind) {
+            events += (events.back() == ':' ? " " : ", ") + std::to_string(count) + " " + kind;
+        };
+        // Those of most structures in the order of a certificate's life, then what only some have.
+        std::map<std::string, std::size_t> others = kinds;
         for (const char *kind : {"start", "push", "stab", "roll", "coarsen", "contact", "leave", "part"})
-            if (const auto found = kinds.find(kind); found != kinds.end())
-                events += (events.back() == ':' ? " " : ", ") + std::to_string(found->second) + " " + kind;
+            if (const auto found = others.find(kind); found != others.end()) {
+                add(found->second, kind);
+                others.erase(found);
+            }
+        for (const auto &[kind, count] : others)
+            add(count, kind);
     }
     if (m_options.layers.events && !kinds.empty())
         Add(events, 13.0, [this](bmr_vec2 left) {

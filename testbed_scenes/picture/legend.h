@@ -15,9 +15,9 @@ namespace testbed {
 class Legend {
 public:
     /// Lays the entries out in rows of this width (of the page). One of a series explains what the whole
-    /// series holds, without counts. `head`: a kinetic world has words of its own.
+    /// series holds, without counts. A kinetic world has words of its own.
     Legend(Canvas &canvas, const WorldView &world, const PictureOptions &options, std::string title,
-           const recording::Head &head, double width, double unit);
+           double width, double unit);
 
     double Height() const;
     /// Its upper left corner at `top`, on the page.

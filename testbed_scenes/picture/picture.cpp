@@ -25,21 +25,20 @@ constexpr std::size_t kMostNamed = 5;
 /// Smaller pictures keep their letters legible.
 constexpr double kLeastUnit = 0.7;
 
-bool IsKinetic(const recording::Head &head) {
-    return head.program == "world";
+bool IsKinetic(const shown::Frame &frame) {
+    return frame.program == "world";
 }
 
-std::string TitleOf(const recording::Head &head, const recording::Frame &frame) {
-    const std::string title = head.scene + ", step " + std::to_string(frame.step);
-    if (IsKinetic(head)) {
+std::string TitleOf(const shown::Frame &frame) {
+    const std::string title = frame.scene + ", step " + std::to_string(frame.step);
+    if (IsKinetic(frame)) {
         char time[32];
-        std::snprintf(time, sizeof time, "%.4g",
-                      static_cast<double>(frame.step) * static_cast<double>(head.time_step));
-        return head.scene + ", time " + time;
+        std::snprintf(time, sizeof time, "%.4g", frame.time);
+        return frame.scene + ", time " + time;
     }
-    if (head.program == "off")
+    if (frame.program == "off")
         return title + ", plugin off";
-    return head.program == "stock" ? title + ", stock Box2D" : title;
+    return frame.program == "stock" ? title + ", stock Box2D" : title;
 }
 
 Colour ColourOf(const PictureOptions &options, const Explained &one) {
@@ -54,13 +53,13 @@ std::string SlackText(const Explained &one, bool kinetic) {
 
 class Page {
 public:
-    Page(const recording::Head &head, const WorldView &world, const PictureOptions &options)
-        : m_head(head), m_world(world), m_options(options), m_title(TitleOf(head, world.Frame())),
-          m_width(options.width), m_unit(std::max(options.width / 1200.0, kLeastUnit)) {}
+    Page(const WorldView &world, const PictureOptions &options)
+        : m_world(world), m_options(options), m_title(TitleOf(world.Frame())), m_width(options.width),
+          m_unit(std::max(options.width / 1200.0, kLeastUnit)) {}
 
     /// On the canvas that `make` makes of a width and a height.
     template <class Make> void Draw(Make make) {
-        const Rectangle region = RegionOf(m_world.Frame(), m_world.Gathered(), m_options);
+        const Rectangle region = RegionOf(m_world.Frame(), m_options);
         const double list = m_options.bodies.empty() ? 0.0 : std::round(kListWidth * m_unit);
         const double wide = m_width - list, high = std::round(wide * region.Height() / region.Width());
         double strip = 0.0;
@@ -68,7 +67,7 @@ public:
             // How high the legend is, and with it the page, a canvas must tell that knows the font. (A PNG
             // that is not written is no file.)
             Canvas measure("legend.png", 1.0, 1.0);
-            strip = Legend(measure, m_world, m_options, m_title, m_head, m_width, m_unit).Height();
+            strip = Legend(measure, m_world, m_options, m_title, m_width, m_unit).Height();
         }
         Explanation explanation = Explain(m_world, m_options, region, kMostExplained);
         m_explained = std::move(explanation.pairs);
@@ -84,11 +83,11 @@ public:
         DrawWorld(canvas);
         const std::vector<Name> names = PlacesOfNames(canvas, area);
         canvas.ClearPanel();
-        const Rectangle bar = DrawScaleBar(canvas, area, pagePerWorld, m_unit, IsKinetic(m_head));
+        const Rectangle bar = DrawScaleBar(canvas, area, pagePerWorld, m_unit, IsKinetic(m_world.Frame()));
         DrawLabels(canvas, area, bar, names);
         if (list > 0.0)
             DrawList(canvas, {wide, strip, m_width, strip + high});
-        Legend(canvas, m_world, m_options, m_title, m_head, m_width, m_unit).Draw(bmr_vec2_make(0.0, strip));
+        Legend(canvas, m_world, m_options, m_title, m_width, m_unit).Draw(bmr_vec2_make(0.0, strip));
         canvas.Write();
     }
 
@@ -115,11 +114,12 @@ private:
         DrawJoints(canvas, m_world, m_unit);
         if (layers.trails)
             DrawTrails(canvas, m_options.trails,
-                       m_head.period.x > 0.0f ? 0.5 * static_cast<double>(m_head.period.x) : HUGE_VAL,
+                       m_world.Frame().period.x > 0.0f ? 0.5 * static_cast<double>(m_world.Frame().period.x)
+                                                       : HUGE_VAL,
                        m_unit);
         if (layers.boxes)
             DrawBoxes(canvas, m_world, m_unit);
-        if (const std::optional<Rectangle> box = PeriodicBoxOf(m_head))
+        if (const std::optional<Rectangle> box = PeriodicBoxOf(m_world.Frame()))
             DrawPeriodicBox(canvas, *box, m_unit);
         DrawOutlines(canvas, m_world, m_options, m_unit);
         if (layers.certificates || layers.slack)
@@ -153,7 +153,7 @@ private:
         for (const auto *pairs : {&m_touching, &m_alone})
             for (std::size_t i = 0; i < std::min(kMostNamed, pairs->size()); ++i)
                 touching.insert(OtherOf(*(*pairs)[i]));
-        for (const recording::Body &body : m_world.Frame().bodies) {
+        for (const shown::Body &body : m_world.Frame().bodies) {
             if (!IsNamed(body.number) && touching.count(body.number) == 0)
                 continue;
             if (const auto middle = MiddleOfVisible(canvas, m_world, area, m_unit, body.number)) {
@@ -187,7 +187,8 @@ private:
         if (!m_options.layers.certificates)
             return;
         for (const Explained &one : m_explained)
-            labels.Place(one.place, one.number, SlackText(one, IsKinetic(m_head)), ColourOf(m_options, one));
+            labels.Place(one.place, one.number, SlackText(one, IsKinetic(m_world.Frame())),
+                         ColourOf(m_options, one));
     }
 
     void DrawList(Canvas &canvas, const Rectangle &area) const {
@@ -217,7 +218,7 @@ private:
             DrawNumber(canvas, bmr_vec2_make(left + disc, y + 4.5 * m_unit), disc, one.number,
                        ColourOf(m_options, one));
             write(text, y, NameOfPair(one), style::kTextSize, true, style::kText, Align::Left);
-            write(right, y, SlackText(one, IsKinetic(m_head)), style::kTextSize, true, style::kText,
+            write(right, y, SlackText(one, IsKinetic(m_world.Frame())), style::kTextSize, true, style::kText,
                   Align::Right);
             write(text, y - 17.0 * m_unit, ReasonOf(one), style::kSmallText - 0.5, false, style::kFaintText,
                   Align::Left);
@@ -237,13 +238,13 @@ private:
         }
     }
 
-    int OtherOf(const recording::Pair &pair) const { return pair.a == m_options.bodies[0] ? pair.b : pair.a; }
+    int OtherOf(const shown::Pair &pair) const { return pair.a == m_options.bodies[0] ? pair.b : pair.a; }
 
     /// The other bodies of pairs: "39, 47, 58 and 10 more".
-    std::string NamesOf(const std::vector<const recording::Pair *> &pairs) const {
+    std::string NamesOf(const std::vector<const shown::Pair *> &pairs) const {
         std::string text;
         for (std::size_t i = 0; i < std::min(kMostNamed, pairs.size()); ++i) {
-            const recording::Pair &pair = *pairs[i];
+            const shown::Pair &pair = *pairs[i];
             text += (i == 0 ? "" : ", ") + std::to_string(OtherOf(pair));
         }
         const std::size_t more = pairs.size() - std::min(kMostNamed, pairs.size());
@@ -259,33 +260,28 @@ private:
         return name;
     }
 
-    const recording::Head &m_head;
     const WorldView &m_world;
     const PictureOptions &m_options;
     const std::string m_title;
     const double m_width, m_unit;
     std::vector<Explained> m_explained;
-    std::vector<const recording::Pair *> m_touching;
-    std::vector<const recording::Pair *> m_alone;
+    std::vector<const shown::Pair *> m_touching;
+    std::vector<const shown::Pair *> m_alone;
     int m_rest = 0;
 };
 
 } // namespace
 
-std::optional<Rectangle> PeriodicBoxOf(const recording::Head &head) {
-    if (!(head.period.x > 0.0f))
+std::optional<Rectangle> PeriodicBoxOf(const shown::Frame &frame) {
+    if (!(frame.period.x > 0.0f))
         return std::nullopt;
-    const double x = 0.5 * static_cast<double>(head.period.x), y = 0.5 * static_cast<double>(head.period.y);
+    const double x = 0.5 * static_cast<double>(frame.period.x), y = 0.5 * static_cast<double>(frame.period.y);
     return Rectangle{-x, -y, x, y};
 }
 
-void DrawPicture(const recording::Head &head, const recording::Frame &frame,
-                 const recording::Gathered &gathered, const PictureOptions &options,
-                 const std::string &path) {
-    const WorldView world(frame, gathered);
-    Page(head, world, options).Draw([&path](double width, double height) {
-        return Canvas(path, width, height);
-    });
+void DrawPicture(const shown::Frame &frame, const PictureOptions &options, const std::string &path) {
+    const WorldView world(frame);
+    Page(world, options).Draw([&path](double width, double height) { return Canvas(path, width, height); });
 }
 
 } // namespace testbed

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "drawing/canvas.h"
-#include "recording/recording.h"
+#include "picture/frame.h"
 
 namespace testbed {
 
@@ -26,7 +26,7 @@ struct Layers {
 
 /// What pictures hold of each kind that a legend explains, and how often.
 struct Contents {
-    std::map<std::string, std::size_t> states, proofs, events; ///< by the recording's words
+    std::map<std::string, std::size_t> states, proofs, events; ///< by the frames' words
     std::size_t handedOver = 0, points = 0, joints = 0;
 };
 
@@ -44,22 +44,19 @@ struct PictureOptions {
 };
 
 /// The box of a world that has a periodic one.
-std::optional<Rectangle> PeriodicBoxOf(const recording::Head &head);
+std::optional<Rectangle> PeriodicBoxOf(const shown::Frame &frame);
 
 /// The part of the world that a picture with these options shows of a frame: around the bodies without those
 /// that flew far away from the others, or around the bodies in focus.
-Rectangle RegionOf(const recording::Frame &frame, const recording::Gathered &gathered,
-                   const PictureOptions &options);
+Rectangle RegionOf(const shown::Frame &frame, const PictureOptions &options);
 
 /// Adds what the picture of a frame holds.
-void AddContents(const recording::Head &head, const recording::Frame &frame,
-                 const recording::Gathered &gathered, const PictureOptions &options, Contents *contents);
+void AddContents(const shown::Frame &frame, const PictureOptions &options, Contents *contents);
 
 /// Draws a frame in the colours of Box2D's testbed, with a scale bar, and a title and a legend below, as an
-/// SVG, PNG or PDF file by the ending of the path (drawing/surface.h). `gathered` must have the frame. Throws
-/// std::runtime_error if the file cannot be written, or if a body in focus is not there.
-void DrawPicture(const recording::Head &head, const recording::Frame &frame,
-                 const recording::Gathered &gathered, const PictureOptions &options, const std::string &path);
+/// SVG, PNG or PDF file by the ending of the path (drawing/surface.h). Throws std::runtime_error if the file
+/// cannot be written, or if a body in focus is not there.
+void DrawPicture(const shown::Frame &frame, const PictureOptions &options, const std::string &path);
 
 } // namespace testbed
 

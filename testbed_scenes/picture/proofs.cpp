@@ -12,8 +12,8 @@
 namespace testbed {
 namespace {
 
-using recording::Pair;
-using recording::Proof;
+using shown::Pair;
+using shown::Proof;
 
 /// So many strokes across gaps may be opaque; more are made fainter, or they would hide the bodies.
 constexpr double kOpaqueStrokes = 400.0, kFaintest = 0.15;
@@ -86,11 +86,11 @@ bmr_vec2 Middle(bmr_vec2 a, bmr_vec2 b) {
 bmr_vec2 PlaceOf(const WorldView &world, const Pair &pair) {
     bmr_vec2 sum = bmr_vec2_make(0.0, 0.0);
     int count = 0;
-    for (const recording::Contact &contact : world.Frame().touching) {
+    for (const shown::Contact &contact : world.Frame().touching) {
         const auto [first, second] = std::minmax(contact.bodies[0], contact.bodies[1]);
         if (first != pair.a || second != pair.b)
             continue;
-        for (const recording::ContactPoint &point : contact.points) {
+        for (const shown::ContactPoint &point : contact.points) {
             sum = bmr_add(sum, ToVec2(point.at));
             ++count;
         }
@@ -232,9 +232,9 @@ void DrawOutlines(Canvas &canvas, const WorldView &world, const PictureOptions &
     std::set<int> drawn = {0};
     const auto draw = [&](const std::array<int, 2> &ids, const Pen &pen) {
         for (const int id : ids) {
-            const auto found = world.Gathered().outlines.find(id);
-            if (drawn.insert(id).second && found != world.Gathered().outlines.end())
-                canvas.Polygon(world.ToWorld(found->second.body, found->second.points), {}, pen);
+            const shown::Outline *outline = world.FindOutline(id);
+            if (drawn.insert(id).second && outline != nullptr)
+                canvas.Polygon(world.ToWorld(outline->body, outline->points), {}, pen);
         }
     };
     for (const Pair &pair : world.Frame().pairs) {
@@ -334,20 +334,10 @@ void DrawHandedOver(Canvas &canvas, const WorldView &world, const PictureOptions
     }
 }
 
-namespace {
-
-/// Of the frame's own step, and no call of Box2D's.
-bool IsShown(const WorldView &world, const recording::Event &event) {
-    return event.step == world.Frame().step && event.kind != "begin" && event.kind != "end";
-}
-
-} // namespace
-
 void DrawEvents(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit) {
     std::set<std::pair<int, int>> happened;
-    for (const recording::Event &event : world.Frame().events)
-        if (IsShown(world, event))
-            happened.insert(std::minmax(event.a, event.b));
+    for (const shown::Event &event : world.Frame().events)
+        happened.insert(std::minmax(event.a, event.b));
     for (const Pair &pair : world.Frame().pairs)
         if (happened.count(std::minmax(pair.a, pair.b)) != 0 && IsInFocus(options, pair))
             canvas.Circle(PlaceOf(world, pair), 7.0 * unit / canvas.Scale(), {},
@@ -356,11 +346,11 @@ void DrawEvents(Canvas &canvas, const WorldView &world, const PictureOptions &op
 
 std::map<std::string, std::size_t> EventsInFocus(const WorldView &world, const PictureOptions &options) {
     std::map<std::string, std::size_t> kinds;
-    for (const recording::Event &event : world.Frame().events) {
-        recording::Pair pair;
+    for (const shown::Event &event : world.Frame().events) {
+        shown::Pair pair;
         pair.a = event.a;
         pair.b = event.b;
-        if (IsShown(world, event) && IsInFocus(options, pair))
+        if (IsInFocus(options, pair))
             kinds[event.kind] += 1;
     }
     return kinds;

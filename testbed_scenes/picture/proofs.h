@@ -18,24 +18,24 @@ namespace testbed {
 /// A pair that is explained by itself: its number in the picture, and where that is to stand (on the page).
 struct Explained {
     int number = 0;
-    const recording::Pair *pair = nullptr;
+    const shown::Pair *pair = nullptr;
     /// The least slack of its proofs; nullptr where nothing proves it apart.
-    const recording::Proof *proof = nullptr;
+    const shown::Proof *proof = nullptr;
     bmr_vec2 place = {0.0, 0.0};
     std::array<bmr_vec2, 2> ends = {}; ///< of the gap, on the page: a's and b's
 };
 
 /// The proof that bounds a pair's slack; nullptr if one of its contacts has none, or with stock.
-const recording::Proof *WeakestProof(const recording::Pair &pair);
+const shown::Proof *WeakestProof(const shown::Pair &pair);
 
 /// The pairs of the bodies in focus.
 struct Explanation {
     /// Those that do not touch (two bodies' own in any case), in the region, the closest first, up to a
     /// number.
     std::vector<Explained> pairs;
-    std::vector<const recording::Pair *> touching; ///< the others that touch
-    std::vector<const recording::Pair *> alone;    ///< apart, but not of two polygons: Box2D's alone
-    int rest = 0;                                  ///< how many more there are, or are not in the region
+    std::vector<const shown::Pair *> touching; ///< the others that touch
+    std::vector<const shown::Pair *> alone;    ///< apart, but not of two polygons: Box2D's alone
+    int rest = 0;                              ///< how many more there are, or are not in the region
 };
 Explanation Explain(const WorldView &world, const PictureOptions &options, const Rectangle &region, int most);
 
@@ -58,7 +58,7 @@ void DrawEvents(Canvas &canvas, const WorldView &world, const PictureOptions &op
 std::map<std::string, std::size_t> EventsInFocus(const WorldView &world, const PictureOptions &options);
 
 /// Is the pair one of those that the bodies in focus are about? All are, without any.
-bool IsInFocus(const PictureOptions &options, const recording::Pair &pair);
+bool IsInFocus(const PictureOptions &options, const shown::Pair &pair);
 
 } // namespace testbed
 

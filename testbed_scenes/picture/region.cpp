@@ -27,8 +27,8 @@ double Quantile(std::vector<double> values, double share) {
 /// Around the moving bodies without runaways, with as much of the ground as lies near.
 Rectangle RegionOfAll(const WorldView &world) {
     std::vector<Rectangle> moving, resting;
-    for (const recording::Body &body : world.Frame().bodies) {
-        for (const recording::Fixture *fixture : world.FixturesOf(body.number))
+    for (const shown::Body &body : world.Frame().bodies) {
+        for (const shown::Fixture *fixture : world.FixturesOf(body.number))
             (body.type == "static" ? resting : moving).push_back(world.BoxOf(*fixture));
     }
     if (moving.empty())
@@ -60,8 +60,8 @@ Rectangle RegionOfAll(const WorldView &world) {
 Rectangle RegionOfOne(const WorldView &world, int number) {
     constexpr std::size_t kNearest = 4;
     constexpr double kFarthest = 3.0;
-    std::vector<const recording::Pair *> pairs;
-    for (const recording::Pair &pair : world.Frame().pairs)
+    std::vector<const shown::Pair *> pairs;
+    for (const shown::Pair &pair : world.Frame().pairs)
         if ((pair.a == number || pair.b == number) && pair.polygon_contacts > 0 && pair.touching == 0)
             pairs.push_back(&pair);
     std::stable_sort(pairs.begin(), pairs.end(),
@@ -69,9 +69,9 @@ Rectangle RegionOfOne(const WorldView &world, int number) {
     pairs.resize(std::min(pairs.size(), kNearest));
     const Rectangle box = world.BoxOfBody(number), near = Widened(box, kFarthest);
     Rectangle region = box;
-    for (const recording::Pair *pair : pairs) {
+    for (const shown::Pair *pair : pairs) {
         Rectangle gap = NoRectangle();
-        for (const recording::Vec &point : pair->closest)
+        for (const shown::Vec &point : pair->closest)
             Grow(&gap, ToVec2(point));
         Rectangle both = near;
         Grow(&both, gap);
@@ -115,9 +115,8 @@ Rectangle WithGoodShape(const Rectangle &region) {
 
 } // namespace
 
-Rectangle RegionOf(const recording::Frame &frame, const recording::Gathered &gathered,
-                   const PictureOptions &options) {
-    const WorldView world(frame, gathered);
+Rectangle RegionOf(const shown::Frame &frame, const PictureOptions &options) {
+    const WorldView world(frame);
     if (options.region)
         return WithGoodShape(*options.region);
     return WithGoodShape(options.bodies.empty() ? RegionOfAll(world) : RegionOfBodies(world, options.bodies));

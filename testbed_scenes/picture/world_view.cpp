@@ -7,17 +7,21 @@
 
 namespace testbed {
 
-using recording::Body;
-using recording::Fixture;
-using recording::Pose;
-using recording::Vec;
+using shown::Body;
+using shown::Fixture;
+using shown::Pose;
+using shown::Vec;
 
-WorldView::WorldView(const recording::Frame &frame, const recording::Gathered &gathered)
-    : m_frame(frame), m_gathered(gathered) {
+WorldView::WorldView(const shown::Frame &frame) : m_frame(frame) {
     for (const Body &body : frame.bodies)
         m_bodies[body.number] = &body;
-    for (const auto &[key, fixture] : gathered.fixtures)
+    for (const Fixture &fixture : frame.fixtures)
         m_fixtures[fixture.body].push_back(&fixture);
+    for (auto &[body, fixtures] : m_fixtures)
+        std::sort(fixtures.begin(), fixtures.end(),
+                  [](const Fixture *one, const Fixture *other) { return one->number < other->number; });
+    for (const shown::Outline &outline : frame.outlines)
+        m_outlines[outline.id] = &outline;
 }
 
 const Body *WorldView::FindBody(int number) const {
@@ -37,6 +41,11 @@ const std::vector<const Fixture *> &WorldView::FixturesOf(int body) const {
     static const std::vector<const Fixture *> none;
     const auto found = m_fixtures.find(body);
     return found != m_fixtures.end() ? found->second : none;
+}
+
+const shown::Outline *WorldView::FindOutline(int id) const {
+    const auto found = m_outlines.find(id);
+    return found != m_outlines.end() ? found->second : nullptr;
 }
 
 bmr_vec2 WorldView::ToWorld(int body, const Vec &point) const {

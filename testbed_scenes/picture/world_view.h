@@ -7,39 +7,41 @@
 
 #include "boomerang/vector.h"
 #include "drawing/canvas.h"
-#include "recording/recording.h"
+#include "picture/frame.h"
 
 namespace testbed {
 
 /// A frame with its bodies and fixtures at hand. Refers to what it is made of.
 class WorldView {
 public:
-    WorldView(const recording::Frame &frame, const recording::Gathered &gathered);
+    explicit WorldView(const shown::Frame &frame);
 
-    const recording::Frame &Frame() const { return m_frame; }
-    const recording::Gathered &Gathered() const { return m_gathered; }
+    const shown::Frame &Frame() const { return m_frame; }
     /// nullptr: there is none of this number.
-    const recording::Body *FindBody(int number) const;
-    const recording::Pose &PoseOf(int body) const; ///< throws where there is no such body
-    const std::vector<const recording::Fixture *> &FixturesOf(int body) const;
+    const shown::Body *FindBody(int number) const;
+    const shown::Pose &PoseOf(int body) const; ///< throws where there is no such body
+    /// By their numbers.
+    const std::vector<const shown::Fixture *> &FixturesOf(int body) const;
+    /// nullptr: there is none of this id.
+    const shown::Outline *FindOutline(int id) const;
 
     /// Points of a body in the world.
-    bmr_vec2 ToWorld(int body, const recording::Vec &point) const;
-    std::vector<bmr_vec2> ToWorld(int body, const std::vector<recording::Vec> &points) const;
-    bmr_vec2 Turned(int body, const recording::Vec &direction) const;
+    bmr_vec2 ToWorld(int body, const shown::Vec &point) const;
+    std::vector<bmr_vec2> ToWorld(int body, const std::vector<shown::Vec> &points) const;
+    bmr_vec2 Turned(int body, const shown::Vec &direction) const;
 
     /// The box around a fixture, or around all of a body's; empty (left > right) where it has none.
-    Rectangle BoxOf(const recording::Fixture &fixture) const;
+    Rectangle BoxOf(const shown::Fixture &fixture) const;
     Rectangle BoxOfBody(int body) const;
 
 private:
-    const recording::Frame &m_frame;
-    const recording::Gathered &m_gathered;
-    std::map<int, const recording::Body *> m_bodies;
-    std::map<int, std::vector<const recording::Fixture *>> m_fixtures;
+    const shown::Frame &m_frame;
+    std::map<int, const shown::Body *> m_bodies;
+    std::map<int, std::vector<const shown::Fixture *>> m_fixtures;
+    std::map<int, const shown::Outline *> m_outlines;
 };
 
-bmr_vec2 ToVec2(const recording::Vec &v);
+bmr_vec2 ToVec2(const shown::Vec &v);
 
 /// A rectangle that holds nothing, and how it grows.
 Rectangle NoRectangle();

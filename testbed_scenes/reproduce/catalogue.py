@@ -273,8 +273,7 @@ USAGE = [
     "boomerang-testbed world",
     "boomerang-testbed world --list",
     "boomerang-testbed world gas --bodies 1000 --check --audit",
-    "boomerang-testbed world cooling --answer 0.8 --record run.txt",
-    "boomerang-testbed render --recording run.txt --step 300 --all -o run.png",
+    "boomerang-testbed world cooling --answer 0.8 --picture run.png --frames 0:300:10 --all",
 ]
 # Pictures that are drawn by hand.
 BY_HAND = ["docs/figures/pair-memory.svg", "docs/figures/step-as-data.svg"]

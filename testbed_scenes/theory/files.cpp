@@ -32,9 +32,13 @@ public:
         throw FileError(m_path + ", line " + std::to_string(m_number) + ": " + what);
     }
     double Number(std::istringstream &words, const std::string &what) const {
-        double value = 0.0;
-        if (!(words >> value) || !std::isfinite(value))
+        std::string word;
+        if (!(words >> word))
             Fail("a number is missing: " + what);
+        char *end = nullptr;
+        const double value = std::strtod(word.c_str(), &end);
+        if (*end != '\0' || !std::isfinite(value))
+            Fail(what + ": \"" + word + "\" is no number");
         return value;
     }
     void End(std::istringstream &words) const {

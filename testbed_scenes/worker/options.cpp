@@ -27,16 +27,16 @@ const std::map<std::string, Listening> listenings = {{"none", Listening::None},
                                                      {"records", Listening::Records}};
 
 /// "12", "0:600" or "0:600:10".
-RecordRange ParseRange(const std::string &text) {
-    RecordRange range;
+FrameRange ParseRange(const std::string &text) {
+    FrameRange range;
     char rest = 0;
     const int count = std::sscanf(text.c_str(), "%d:%d:%d%c", &range.first, &range.last, &range.every, &rest);
     if (count == 1 && text.find(':') == std::string::npos)
         range.last = range.first;
     else if (count < 2 || count > 3)
-        throw CLI::ValidationError("--record", "FIRST[:LAST[:EVERY]] was expected, not \"" + text + "\"");
+        throw CLI::ValidationError("--frames", "FIRST[:LAST[:EVERY]] was expected, not \"" + text + "\"");
     if (range.first < 0 || range.last < range.first || range.every < 1)
-        throw CLI::ValidationError("--record", "no steps in \"" + text + "\"");
+        throw CLI::ValidationError("--frames", "no steps in \"" + text + "\"");
     return range;
 }
 
@@ -135,18 +135,15 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
            "in the place\nof the scene's own")
         ->transform(CLI::CheckedTransformer(listenings).description(""))
         ->option_text("none|counts|reads|acts|records [none]");
-    bool boxes = false, compact = false;
-    CLI::Option *record =
+    bool boxes = false;
+    CLI::Option *frames =
         app.add_option_function<std::string>(
-               "--record", [&options](const std::string &text) { options.record = ParseRange(text); },
-               "Instead of hashes, print the world after each of these steps (testbed_scenes/recording), and "
-               "stop after the last")
+               "--frames", [&options](const std::string &text) { options.frames = ParseRange(text); },
+               "Instead of hashes, print the world after each of these steps "
+               "(testbed_scenes/picture/frame.h), "
+               "and stop after the last")
             ->option_text("FIRST[:LAST[:EVERY]]");
-    app.add_flag("--record-boxes", boxes, "With the boxes of the broad phase")->needs(record);
-    app.add_flag("--record-compact", compact,
-                 "As bytes, and no more than a replay needs: no closest points; without the plugin "
-                 "bodies and calls alone")
-        ->needs(record);
+    app.add_flag("--boxes", boxes, "With the boxes of the broad phase")->needs(frames);
     app.add_option("--perturb", options.perturb,
                    "After this step, nudge the velocity of one body by one ulp: the control for comparisons, "
                    "which must "
@@ -157,10 +154,8 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
     try {
         app.parse(argc, argv);
         CheckScene(options);
-        if (options.record) {
-            options.record->boxes = boxes;
-            options.record->compact = compact;
-        }
+        if (options.frames)
+            options.frames->boxes = boxes;
     } catch (const CLI::ParseError &error) {
         if (error.get_exit_code() == 0)
             return app.exit(error); // help

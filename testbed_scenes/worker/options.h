@@ -8,9 +8,9 @@
 
 #include "polygon_choice.h"
 #include "scene.h"
+#include "worker/frame_maker.h"
 #include "worker/listener.h"
 #include "worker/plugin.h"
-#include "worker/recorder.h"
 
 namespace testbed {
 
@@ -27,7 +27,7 @@ struct Options {
     std::optional<int> vertices;
     std::optional<BodyKind> bodies;
     std::optional<int> dump, perturb;
-    std::optional<RecordRange> record;
+    std::optional<FrameRange> frames;
     Listening listening = Listening::None;
     PluginOptions plugin;
 };

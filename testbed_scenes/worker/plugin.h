@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "recording/recording.h"
+#include "picture/frame.h"
 
 /// @file
 /// All that the two workers do differently. boomerang-scene links plugin_absent.cpp, in which nothing
@@ -34,8 +34,8 @@ void AddPluginOptions(CLI::App &app, PluginOptions &options);
 class PluginObserver {
 public:
     virtual ~PluginObserver() = default;
-    /// An event of a structure of hulls or of a contact; `event` lacks its step and its bodies.
-    virtual void OnKineticEvent(const b2Body &bodyA, const b2Body &bodyB, recording::Event event) = 0;
+    /// An event of a structure of hulls or of a contact: bmr_event_name.
+    virtual void OnKineticEvent(const b2Body &bodyA, const b2Body &bodyB, const char *kind) = 0;
     /// An evaluation of two polygons.
     virtual void OnAnswer(const b2Contact &contact, bool handedOver) = 0;
 };
@@ -59,14 +59,14 @@ nlohmann::json PluginStatistics();
 /// What proves the two fixtures of a contact apart, as the plugin shows it. Element 0 is of the contact's
 /// fixture A; ids of outlines are 0.
 struct ShownProof {
-    recording::Proof proof;
+    shown::Proof proof;
     const void *structure = nullptr; ///< the same for contacts that share the proof; nullptr: this one's own
 };
 /// Of kind none without the plugin. Between steps.
 ShownProof ShowProof(const b2Contact &contact);
 /// The hulls (`envelope` false) of a proof just shown of this contact, or the envelopes at its level; empty
 /// where it has none.
-std::array<std::vector<recording::Vec>, 2> ShowHulls(const b2Contact &contact, bool envelope);
+std::array<std::vector<shown::Vec>, 2> ShowHulls(const b2Contact &contact, bool envelope);
 
 } // namespace testbed
 

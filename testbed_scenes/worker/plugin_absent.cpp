@@ -19,7 +19,7 @@ nlohmann::json PluginStatistics() {
 ShownProof ShowProof(const b2Contact &) {
     return {};
 }
-std::array<std::vector<recording::Vec>, 2> ShowHulls(const b2Contact &, bool) {
+std::array<std::vector<shown::Vec>, 2> ShowHulls(const b2Contact &, bool) {
     return {};
 }
 

@@ -28,14 +28,8 @@ Trace trace;
 PluginObserver *observer = nullptr;
 
 void OnEvent(void *, const b2Body *bodyA, const b2Body *bodyB, const bmr_event &event) {
-    if (observer != nullptr) {
-        recording::Event told;
-        told.kind = bmr_event_name(event.kind);
-        told.level_before = event.level_before;
-        told.level_after = event.level_after;
-        told.gap = static_cast<float>(event.gap);
-        observer->OnKineticEvent(*bodyA, *bodyB, told);
-    }
+    if (observer != nullptr)
+        observer->OnKineticEvent(*bodyA, *bodyB, bmr_event_name(event.kind));
     if (trace.file == nullptr)
         return;
     std::fprintf(trace.file, "%d %" PRIu32 " %" PRIu32 " %s %d %d %d %.9g\n", trace.step, NumberOf(*bodyA),
@@ -54,11 +48,11 @@ void OpenTrace(const std::string &name) {
     std::fputs("# step bodyA bodyB kind level_before level_after owner(0=A,1=B) gap\n", trace.file);
 }
 
-recording::Vec VecOf(const b2Vec2 &v) {
+shown::Vec VecOf(const b2Vec2 &v) {
     return {v.x, v.y};
 }
 
-void CopySide(const bmr::ProofSide &side, std::size_t index, recording::Proof *proof) {
+void CopySide(const bmr::ProofSide &side, std::size_t index, shown::Proof *proof) {
     if (side.fixture != nullptr)
         proof->fixtures[index] = static_cast<int>(NumberOf(*side.fixture));
     if (proof->kind == "disks") {
@@ -138,7 +132,7 @@ nlohmann::json PluginStatistics() {
 ShownProof ShowProof(const b2Contact &contact) {
     const bmr::Proof found = bmr::Inspect(contact);
     ShownProof shown;
-    recording::Proof &proof = shown.proof;
+    shown::Proof &proof = shown.proof;
     proof.kind = bmr::NameOf(found.kind);
     if (found.kind == bmr::ProofKind::None)
         return shown;
@@ -159,9 +153,9 @@ ShownProof ShowProof(const b2Contact &contact) {
     return shown;
 }
 
-std::array<std::vector<recording::Vec>, 2> ShowHulls(const b2Contact &contact, bool envelope) {
+std::array<std::vector<shown::Vec>, 2> ShowHulls(const b2Contact &contact, bool envelope) {
     const bmr::Proof found = bmr::Inspect(contact);
-    std::array<std::vector<recording::Vec>, 2> hulls;
+    std::array<std::vector<shown::Vec>, 2> hulls;
     if (envelope && found.kind != bmr::ProofKind::EdgeLine)
         return hulls;
     const int32_t level = envelope ? found.level : bmr::kHullLevel;

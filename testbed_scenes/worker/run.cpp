@@ -9,10 +9,9 @@
 #include <ctime>
 #include <stdexcept>
 
-#include "recording/bytes.h"
 #include "state/snapshot.h"
+#include "worker/frame_maker.h"
 #include "worker/listener.h"
-#include "worker/recorder.h"
 #include "worker/summary.h"
 
 namespace testbed {
@@ -62,32 +61,15 @@ long TimeStep(const SceneInfo &info, b2World &world) {
     return static_cast<long>(std::chrono::nanoseconds(Clock::now() - start).count());
 }
 
-/// Prints the head of a recording.
-void PrintHead(const SceneInfo &info, const Options &options, const Recorder &recorder) {
-    recording::Head head = MakeHead(recorder, options.plugin);
-    head.scene = info.name;
-    head.size = options.size.value_or(info.size);
-    head.seed = options.seed.value_or(info.seed);
-    head.time_step = info.timeStep;
-    std::puts(Print(head).c_str());
-}
-
-void PrintFrame(const recording::Frame &frame, bool compact) {
-    const std::string line = (compact ? Pack(frame) : Print(frame)) + '\n';
-    std::fwrite(line.data(), 1, line.size(), stdout); // whether it could be written is asked at the end
-}
-
 } // namespace
 
 void RunScene(const SceneInfo &info, const Options &options) {
-    std::optional<Recorder> record;
-    if (options.record)
-        record.emplace(*options.record);
-    InstallPlugin(options.plugin, options.mode == Mode::Count, record ? &*record : nullptr);
+    std::optional<FrameMaker> frames;
+    if (options.frames)
+        frames.emplace(*options.frames, info.name);
+    InstallPlugin(options.plugin, options.mode == Mode::Count, frames ? &*frames : nullptr);
     EventRecorder recorder;
-    EventObserver *const observer = record                       ? static_cast<EventObserver *>(&*record)
-                                    : options.mode == Mode::Hash ? &recorder
-                                                                 : nullptr;
+    EventObserver *const observer = options.mode == Mode::Hash ? &recorder : nullptr;
     const std::unique_ptr<Scene> played = info.create();
     ListenedScene listened(*played, options.listening);
     const bool records = options.listening == Listening::Records;
@@ -107,24 +89,22 @@ void RunScene(const SceneInfo &info, const Options &options) {
         Shake(stage);
     if (records)
         recorded.ListenTo(world);
-    if (record)
-        PrintHead(info, options, *record);
     const std::clock_t begun = std::clock();
     for (int step = 0; step < steps; ++step) {
         SetTraceStep(step);
         scene.BeforeStep(stage, step);
-        if (record)
-            record->BeginStep(world, step);
+        if (frames)
+            frames->BeginStep(step);
         const long nanoseconds = TimeStep(info, world);
         if (records)
             recorded.AfterStep();
         if (options.perturb == step)
             Perturb(world);
         summary.AddStep(world, nanoseconds);
-        if (record) {
-            if (record->Range().Has(step))
-                PrintFrame(record->Take(world), options.record->compact);
-            if (step == record->Range().last)
+        if (frames) {
+            if (frames->Range().Has(step)) // whether it could be written is asked at the end
+                std::puts(shown::PrintFrame(frames->Take(world)).c_str());
+            if (step == frames->Range().last)
                 break;
             continue;
         }

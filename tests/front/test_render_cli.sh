@@ -78,31 +78,27 @@ test_every_kind_of_file() {
     grep -q '<svg' "$scratch/picture.svg" || fail "no SVG"
 }
 
-# Stock Box2D does not have these polygons: its place has the plugin told to be off, and the page says so.
+# Stock Box2D does not have these polygons: its place has the plugin told to be off, and the picture says so.
 test_scenes_that_stock_does_not_have() {
-    expect 0 replay any-gas --steps 5 -o "$scratch/replay.html"
-    grep -q '"stock":"off"' "$scratch/replay.html" || fail "the page does not say that the plugin was off"
-    expect 0 replay pyramid --size 4 --steps 5 -o "$scratch/replay.html"
-    grep -q '"stock":"stock"' "$scratch/replay.html" || fail "the page does not say that it was stock"
     draw "$scratch/on.svg" any-stack --step 5 --bare --width 400
     draw "$scratch/off.svg" any-stack --step 5 --bare --width 400 --plugin off
     ! same_svg "$scratch/on.svg" "$scratch/off.svg" || fail "the picture does not say that the plugin was off"
     expect 0 run any-gas --steps 3 --plugin off --json
 }
 
-test_recordings_tell_the_truth() {
+test_frames_tell_the_truth() {
     local scene structure
     for scene in "coins-gas --size 40" "planks --size 60" "chain-rocks --size 60"; do
-        claim="boomerang-scene $scene --record 20:50:10"
+        claim="boomerang-scene $scene --frames 20:50:10"
         : >"$scratch/out"
         # shellcheck disable=SC2086
-        "$bin/boomerang-scene" $scene --steps 60 --record 20:50:10 >"$scratch/stock" 2>"$scratch/err" || fail "the worker failed"
+        "$bin/boomerang-scene" $scene --steps 60 --frames 20:50:10 >"$scratch/stock" 2>"$scratch/err" || fail "the worker failed"
         for structure in "" free-direction lazy-dudley; do
             # shellcheck disable=SC2086
-            "$bin/boomerang-scene-plugin" $scene --steps 60 --record 20:50:10 ${structure:+--structure $structure} \
+            "$bin/boomerang-scene-plugin" $scene --steps 60 --frames 20:50:10 ${structure:+--structure $structure} \
                 >"$scratch/plugin.$structure" 2>"$scratch/err" || fail "the worker failed with '$structure'"
         done
-        python3 "$here/check_recording.py" "$scratch/stock" "$scratch"/plugin.* 2>"$scratch/err" || fail "it is not what it should be"
+        python3 "$here/check_frames.py" "$scratch/stock" "$scratch"/plugin.* 2>"$scratch/err" || fail "it is not what it should be"
     done
 }
 
@@ -150,6 +146,68 @@ test_bodies_that_are_named_are_numbered() {
     ! grep -qx 99 <<<"$seen" || fail "control: a body that nobody named is numbered"
 }
 
+# Two polygons of one's own: a square that flies over a twelve-sided one, and turns.
+write_pair() {
+    printf '%s\n' '1 1' '-1 1' '-1 -1' '1 -1' >"$scratch/square.txt"
+    awk 'BEGIN { for (i = 0; i < 12; ++i) print 2 * cos(i * 3.14159265 / 6), sin(i * 3.14159265 / 6) }' >"$scratch/twelve.txt"
+    printf '%s\n' 'body B' 'screw 0 -6 2.5 0 12 0 3' >"$scratch/motion.txt"
+    pair=(--polygon "$scratch/twelve.txt" --polygon "$scratch/square.txt" --motion "$scratch/motion.txt")
+}
+
+shapes() { sed '1,/<\/defs>/d' "$1" | grep -c '<path'; }
+
+test_two_polygons_of_ones_own() {
+    write_pair
+    says 'motion.txt, step 150$' 0 render "${pair[@]}" --step 150 --width 400 -o "$scratch/pair.svg"
+    says '4 pictures of motion.txt, steps 0 to 300' 0 render "${pair[@]}" --frames 0:300:100 --width 400 -o "$scratch/pair.svg"
+    same_svg "$scratch/pair-0000.svg" "$scratch/pair-0003.svg" && fail "nothing moves"
+    [ ! -e "$scratch/pair-0004.svg" ] || fail "one picture too many"
+    # Half of the time is half of the steps, however many there are.
+    draw "$scratch/middle.svg" "${pair[@]}" --steps 10 --step 5 --certificates --width 400
+    draw "$scratch/half.svg" "${pair[@]}" --step 150 --certificates --width 400
+    same_svg "$scratch/middle.svg" "$scratch/half.svg" || fail "half of the time is another picture with fewer steps"
+    # Each layer draws so many shapes more: those of its words in the legend, and its own.
+    draw "$scratch/none.svg" "${pair[@]}" --step 150 --bare --width 400
+    local layer more structure
+    for layer in certificates:6 slack:66 envelopes:3 trails:60; do
+        more=${layer#*:} layer=${layer%:*}
+        draw "$scratch/$layer.svg" "${pair[@]}" --step 150 --width 400 "--$layer"
+        [ "$(shapes "$scratch/$layer.svg")" -ge "$(($(shapes "$scratch/none.svg") + more))" ] || fail "the layer $layer draws nothing"
+    done
+    for structure in closest-features free-fd2; do
+        draw "$scratch/$structure.svg" "${pair[@]}" --step 150 --certificates --width 400 --structure "$structure"
+        same_svg "$scratch/half.svg" "$scratch/$structure.svg" && fail "$structure has the line of lazy-compass"
+    done
+    draw "$scratch/focus.pdf" "${pair[@]}" --step 150 --focus 0,1
+    pdftotext "$scratch/focus.pdf" - | grep -q "^body 1 is beyond body 0's edge, level" || fail "the pair is not explained in words"
+}
+
+test_two_polygons_that_make_no_sense() {
+    write_pair
+    printf '%s\n' '1 1' 'nan 1' '-1 -1' >"$scratch/nan.txt"
+    printf '%s\n' '1 1' '-1 1' >"$scratch/two.txt"
+    printf '%s\n' '2 2' '-2 2' '-2 -2' '2 -2' '0 0' >"$scratch/bent.txt"
+    printf '%s\n' 'body B' 'fly 1 2' >"$scratch/fly.txt"
+    local at=(--step 1 -o "$scratch/no.svg") motion=(--motion "$scratch/motion.txt")
+    says 'nan.txt, line 2: x: "nan" is no number$' 2 render --polygon "$scratch/nan.txt" "${motion[@]}" "${at[@]}"
+    says 'two.txt: a polygon has three corners or more' 2 render --polygon "$scratch/two.txt" "${motion[@]}" "${at[@]}"
+    says 'bent.txt: the polygon is not convex: \(0, 0\) lies inside' 2 render --polygon "$scratch/bent.txt" "${motion[@]}" "${at[@]}"
+    says 'fly.txt, line 2: "fly" is none of' 2 render --polygon "$scratch/square.txt" --motion "$scratch/fly.txt" "${at[@]}"
+    says "two polygons of one's own need them all" 2 render "${pair[@]:0:4}" "${at[@]}"
+    says "two polygons of one's own need them all" 2 render "${motion[@]}" "${at[@]}"
+    says "two polygons of one's own need them all" 2 render "${pair[@]}" --polygon "$scratch/square.txt" "${at[@]}"
+    says 'one of the two' 2 render planks "${pair[@]}" "${at[@]}"
+    says 'free-direction is the plugin' 2 render "${pair[@]}" --structure free-direction "${at[@]}"
+    says 'does not take two polygons that turn' 2 render "${pair[@]}" --structure point-lazy-dudley "${at[@]}"
+    says 'free-fd2 is for --polygon' 2 render planks --structure free-fd2 "${at[@]}"
+    says 'the last step of the motion is 300, not 301' 2 render "${pair[@]}" --step 301 -o "$scratch/no.svg"
+    says 'the last step of the motion is 20, not 90' 2 render "${pair[@]}" --steps 20 --frames 0:90 -o "$scratch/no.svg"
+    says 'have none' 2 render "${pair[@]}" --hulls "${at[@]}"
+    says 'a kinetic world or of two polygons' 2 render planks --trails "${at[@]}"
+    says 'a scene is wanted, or --polygon' 2 render "${at[@]}"
+    [ ! -e "$scratch/no.svg" ] || fail "there is a picture all the same"
+}
+
 test_requests_that_make_no_sense() {
     says 'which step' 2 render pyramid -o "$scratch/picture.svg"
     expect 2 render pyramid --step -1 -o "$scratch/picture.svg"
@@ -160,7 +218,6 @@ test_requests_that_make_no_sense() {
     says 'should end in .svg, .png or .pdf' 2 render pyramid --step 1 -o "$scratch/picture.jpeg"
     expect 3 render pyramid --step 1 -o "$scratch/no/such/directory.png"
     err_has 'cannot write .*no/such/directory.png: there is no directory .*/no/such$'
-    says 'cannot write' 3 replay pyramid --steps 1 -o "$scratch/no/such/directory.html"
     local ending
     for ending in png svg pdf; do
         echo old >"$scratch/kept.$ending"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What is said of a command line that makes no sense, of an output that cannot be written, and what an interrupt leaves.
+# What is said of a command line that makes no sense, and of an output that cannot be written.
 #
 #   test_usage_cli.sh DIRECTORY-OF-THE-PROGRAMS
 set -uo pipefail
@@ -21,7 +21,7 @@ refused() {
 
 test_options_that_are_none() {
     refused 'compare has no option "--stpes"; the nearest is "--steps" \(boomerang-testbed compare --help' compare --stpes 3
-    refused 'render has no option "--stepp"; the nearest is "--step"' render planks --stepp=4 -o x.png
+    refused 'render has no option "--widht"; the nearest is "--width"' render planks --widht=400 -o x.png
     refused 'render has no option "-q"' render planks --step 4 -q -o x.png
     refused 'there is no option "--nope" \(' --nope
     refused 'run: "tiles" is one argument too many' run planks tiles
@@ -65,34 +65,6 @@ test_why_a_file_cannot_be_written() {
     done
     says 'cannot write .*/no/trace: there is no directory' 3 run pyramid --size 3 --steps 1 --trace "$scratch/no/trace"
     says 'cannot write /dev/full: No space left on device' 3 compare pyramid --size 3 --steps 2 --no-time --quiet --csv /dev/full
-    says 'cannot write /dev/full: No space left on device' 3 replay pyramid --size 3 --steps 2 -o /dev/full
-}
-
-# A trace is written while the events are counted: in the midst of that a signal comes.
-interrupted_by() {
-    local signal=$1 process
-    rm -f "$scratch"/trace*
-    claim="events … --trace, and then SIG$signal"
-    # A shell without job control has its background programs ignore interrupts.
-    env --default-signal=INT "$testbed" events --n 4096 --ratios 8:65536 --seeds 50 --trace "$scratch/trace" >"$scratch/out" 2>"$scratch/err" &
-    process=$!
-    until [ -n "$(find "$scratch" -name 'trace*.part')" ]; do
-        kill -0 $process 2>/dev/null || { fail "it ended by itself"; return; }
-        sleep 0.02
-    done
-    kill -s "$signal" $process
-    wait $process 2>/dev/null
-    [ $? -gt 128 ] || fail "it did not end by the signal"
-}
-
-test_an_interrupt_leaves_no_part_of_a_file() {
-    local signal
-    for signal in INT TERM HUP; do
-        interrupted_by $signal
-        [ -z "$(find "$scratch" -name 'trace*')" ] || fail "a part is left"
-    done
-    interrupted_by KILL
-    [ -n "$(find "$scratch" -name 'trace*.part')" ] || fail "control: there was no part"
 }
 
 # What cannot be written whole leaves what was there; what can keeps its link and its permissions.
@@ -136,23 +108,8 @@ test_help_builds_nothing() {
     [ ! -e "$scratch/build" ] || fail "it makes a directory to build in"
     BMR_BUILD_DIR=$scratch/build "$root/testbed_scenes/run" --help >"$scratch/out"
     "$testbed" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p' >"$scratch/commands"
-    [ "$(wc -l <"$scratch/commands")" -ge 8 ] || fail "control: no list of commands"
+    [ "$(wc -l <"$scratch/commands")" -ge 7 ] || fail "control: no list of commands"
     while read -r command; do out_has "(^|[ ,])$command[,.]"; done < <(grep . "$scratch/commands")
-}
-
-test_replay_of_ones_own_pair() {
-    printf '%s\n' '1 1' '-1 1' '-1 -1' '1 -1' >"$scratch/square.txt"
-    printf '%s\n' 'body B' 'screw 0 -6 2.5 0 12 0 0' >"$scratch/motion.txt"
-    local pair=(--polygon "$scratch/square.txt" --motion "$scratch/motion.txt")
-    says 'pair\.html: motion\.txt, 41 frames, 2 bodies' 0 replay "${pair[@]}" --steps 40 -o "$scratch/pair.html"
-    grep -q '"structure":"lazy-compass"' "$scratch/pair.html" || fail "the page does not name its structure"
-    expect 0 replay "${pair[@]}" "${pair[@]:0:2}" --structure free-fd2 -o "$scratch/other.html"
-    grep -q '"structure":"free-fd2"' "$scratch/other.html" || fail "the page does not name its structure"
-    refused 'a pair of one.s own needs them all' replay "${pair[@]:0:2}" -o "$scratch/no.html"
-    refused 'one of the three' replay planks "${pair[@]}" -o "$scratch/no.html"
-    refused 'free-direction is the plugin' replay "${pair[@]}" --structure free-direction -o "$scratch/no.html"
-    refused 'free-fd2 is for --polygon' replay planks --structure free-fd2 -o "$scratch/no.html"
-    refused 'square.txt, line 1: "1" is none of' replay "${pair[@]:0:2}" --motion "$scratch/square.txt" -o "$scratch/no.html"
 }
 
 run_tests

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# boomerang-testbed world, and replay and render of what it records: exit codes, messages, files, and what the numbers must be.
+# boomerang-testbed world: exit codes, messages, files and pictures, and what the numbers must be.
 #
 #   test_world_cli.sh DIRECTORY-OF-THE-PROGRAMS
 set -uo pipefail
@@ -85,30 +85,29 @@ test_growth_is_a_table() {
     says '"x" is no number of bodies' 2 world gas --growth 10,x
 }
 
-test_a_run_is_shown() {
-    expect 0 world gas --bodies 20 --seconds 1 --record "$scratch/run.txt" --rate 10 --quiet
-    # A head, and frames from time 0 to 1.
-    [ "$(wc -l <"$scratch/run.txt")" -eq 12 ] || fail "not 11 frames"
-    says '11 frames, 20 bodies' 0 replay --recording "$scratch/run.txt" -o "$scratch/run.html"
-    grep -q '"world":true' "$scratch/run.html" || fail "the page does not know what it plays"
-    expect 0 render --recording "$scratch/run.txt" --step 10 --all -o "$scratch/run.svg"
+test_a_run_is_drawn() {
+    local run=(world gas --bodies 20 --seconds 1 --rate 10 --quiet)
+    expect 0 "${run[@]}" --picture "$scratch/run.svg" --step 10 --all
     grep -q '<svg' "$scratch/run.svg" || fail "no picture"
     # Cells, disks and trails are layers: without them there is less to draw.
-    expect 0 render --recording "$scratch/run.txt" --step 10 --bare -o "$scratch/bare.svg"
+    expect 0 "${run[@]}" --picture "$scratch/bare.svg" --step 10 --bare
     [ "$(grep -c '<path' "$scratch/run.svg")" -gt "$(($(grep -c '<path' "$scratch/bare.svg") + 50))" ] || fail "--all draws no more than --bare"
-    says 'the last frame .* is 10' 2 render --recording "$scratch/run.txt" --step 11 -o "$scratch/none.svg"
+    says '3 pictures of gas, steps 0 to 10' 0 "${run[@]:0:8}" --picture "$scratch/series.svg" --frames 0:10:5
+    out_has '^contact +[0-9]' # and the figures, as without pictures
+    [ "$(find "$scratch" -name 'series-000[012].svg' | wc -l)" -eq 3 ] || fail "not three pictures"
+    ! cmp -s "$scratch/series-0000.svg" "$scratch/series-0002.svg" || fail "nothing moves"
+    says 'the last step of gas is 10, not 11' 2 "${run[@]}" --picture "$scratch/none.svg" --step 11
+    says 'the last step of gas is 10, not 12' 2 "${run[@]}" --picture "$scratch/none.svg" --frames 2:12
+    says 'there is no body 99 after step 10' 2 "${run[@]}" --picture "$scratch/none.svg" --step 10 --focus 99
+    # A picture changes no count.
+    expect 0 "${run[@]:0:6}" --quiet --csv "$scratch/plain.csv"
+    expect 0 "${run[@]}" --csv "$scratch/drawn.csv" --picture "$scratch/drawn.svg" --step 3
+    [ "$(counted "$scratch/plain.csv")" = "$(counted "$scratch/drawn.csv")" ] || fail "a picture changes the counts"
     # A periodic box is drawn, by the only line of such dashes, and said in the legend.
-    expect 0 world gas --boundary periodic --bodies 20 --seconds 1 --record "$scratch/box.txt" --rate 10 --quiet
-    expect 0 render --recording "$scratch/box.txt" --step 10 -o "$scratch/box.svg"
+    expect 0 "${run[@]}" --boundary periodic --picture "$scratch/box.svg" --step 10
     [ "$(grep -c 'stroke-dasharray:9,5' "$scratch/box.svg")" -eq 2 ] || fail "no periodic box"
     grep -q 'stroke-dasharray:9,5' "$scratch/run.svg" && fail "a periodic box without one"
-    # Controls: a file that is none, and one that was cut short.
-    head -n 8 "$scratch/run.txt" >"$scratch/short.txt"
-    says 'ends after 7 frames' 2 replay --recording "$scratch/short.txt" -o "$scratch/short.html"
-    sed 1d "$scratch/run.txt" >"$scratch/headless.txt"
-    says 'is no recording' 2 render --recording "$scratch/headless.txt" --step 1 -o "$scratch/none.svg"
-    expect 2 render planks --step 1 --trails -o "$scratch/none.svg"
-    says 'a scene is wanted' 2 replay -o "$scratch/none.html"
+    [ ! -e "$scratch/none.svg" ] || fail "there is a picture all the same"
 }
 
 test_collapse_is_told() {
@@ -146,12 +145,19 @@ gas --structure lazy-dudly|nearest is "lazy-dudley"
 gas --structure point-lazy-dudley|for points
 gas --shape sphere|--shape
 gas --zeno-speed 1|without --zeno elastic
-gas --rate 10|record
-gas --record x.txt --growth 10|growth
+gas --rate 10|--picture
+gas --step 10|--picture
+gas --all|--picture
+gas --picture x.svg|which step
+gas --picture x.svg --frames 5:3|FIRST:LAST
+gas --picture x.txt --step 3|should end in .svg, .png or .pdf
+gas --picture x.svg --step 3 --growth 10|growth
 cooling --bodies 3|periodic box
 WORDS
-    expect 3 world gas --record "$scratch/none/run.txt"
-    says 'above 0' 2 world gas --record "$scratch/run.txt" --rate 0
+    expect 3 world gas --picture "$scratch/none/run.svg" --step 3
+    for rate in 0 -1 nan 1e9; do
+        says 'above 0' 2 world gas --picture "$scratch/run.svg" --step 3 --rate "$rate"
+    done
 }
 
 run_tests

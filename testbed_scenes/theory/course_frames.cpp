@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "theory/record_course.h"
+#include "theory/course_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace testbed {
 namespace {
 
-using recording::Vec;
+using shown::Vec;
 
 Vec ToVec(bmr_vec2 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y)};
@@ -24,9 +24,9 @@ std::vector<Vec> ToVecs(const std::vector<bmr_vec2> &points) {
     return list;
 }
 
-class CourseRecorder {
+class CourseFrames {
 public:
-    CourseRecorder(const Course &course, const bmr_kds_info &structure, int64_t steps)
+    CourseFrames(const Course &course, const bmr_kds_info &structure, int64_t steps)
         : m_course(course), m_structure(structure), m_steps(steps),
           m_simulation(nullptr, bmr_simulation_destroy) {
         bmr_simulation_def def = bmr_default_simulation_def();
@@ -40,56 +40,42 @@ public:
         m_simulation.reset(made);
     }
 
-    recording::Head Head() const {
-        recording::Head head;
-        head.program = "world";
-        head.structure = m_structure.name;
-        head.size = 2;
-        head.time_step =
-            static_cast<float>((m_course.Until() - m_course.From()) / static_cast<double>(m_steps));
-        head.last = m_steps;
-        return head;
-    }
-
     /// The frames come in order, the first is 0.
-    recording::Frame Take(int64_t step) {
+    shown::Frame Take(int64_t step) {
         const double time = step == m_steps ? m_course.Until()
                                             : m_course.From() + (m_course.Until() - m_course.From()) *
                                                                     static_cast<double>(step) /
                                                                     static_cast<double>(m_steps);
         Require(bmr_simulation_run(m_simulation.get(), time), m_structure.name);
+        m_frame.program = "world";
         m_frame.step = step;
-        for (recording::Event &event : m_frame.events)
-            event.step = step;
+        m_frame.time = time;
+        m_names.clear();
         for (int i = 0; i < 2; ++i)
             AddBody(i, bmr_motion_pose(m_course.Motion(i), time, nullptr, nullptr));
         AddPair();
-        recording::Frame taken;
+        shown::Frame taken;
         std::swap(taken, m_frame);
         return taken;
     }
 
 private:
     static void OnEvent(void *context, const bmr_simulation_event *event) {
-        recording::Event record;
+        shown::Event record;
         record.kind = bmr_kds_event_name(event->report.kind);
         record.b = 1;
-        record.level_before = event->report.level_before;
-        record.level_after = event->report.level_after;
-        static_cast<CourseRecorder *>(context)->m_frame.events.push_back(record);
+        static_cast<CourseFrames *>(context)->m_frame.events.push_back(record);
     }
 
     void AddBody(int number, const bmr_pose &pose) {
         m_poses[number] = pose;
-        recording::Body body;
+        shown::Body body;
         body.number = number;
         body.type = "dynamic";
         const bmr_vec2 along = bmr_rotate(&pose, bmr_vec2_make(1.0, 0.0));
         body.pose = {ToVec(pose.position), static_cast<float>(along.x), static_cast<float>(along.y)};
         m_frame.bodies.push_back(body);
-        if (m_frame.step > 0)
-            return;
-        recording::Fixture fixture;
+        shown::Fixture fixture;
         fixture.body = number;
         fixture.shape = "polygon";
         fixture.points = ToVecs(m_course.BodyOf(number).Vertices());
@@ -97,10 +83,9 @@ private:
     }
 
     void AddPair() {
-        recording::Pair pair;
+        shown::Pair pair;
         pair.b = 1;
         pair.contacts = pair.polygon_contacts = 1;
-        pair.asked = 1;
         bmr_closest_points closest = {};
         Require(bmr_distance(m_course.BodyOf(0).Polygon(), &m_poses[0], m_course.BodyOf(1).Polygon(),
                              &m_poses[1], &closest),
@@ -119,8 +104,8 @@ private:
         m_frame.pairs.push_back(pair);
     }
 
-    recording::Proof Shown(const bmr_kds_proof &line) {
-        recording::Proof proof;
+    shown::Proof Shown(const bmr_kds_proof &line) {
+        shown::Proof proof;
         const auto own = static_cast<size_t>(line.owner), other = 1 - own;
         const Body &owner = m_course.BodyOf(line.owner);
         proof.kind = "direction";
@@ -139,7 +124,7 @@ private:
     }
 
     /// The line of a structure with a hierarchy is one of an edge of its owner's envelope.
-    void AddEnvelopes(const bmr_kds_proof &line, recording::Proof *proof) {
+    void AddEnvelopes(const bmr_kds_proof &line, shown::Proof *proof) {
         for (int i = 0; i < 2; ++i)
             proof->envelopes[static_cast<size_t>(i)] = NameEnvelope(i, proof->level);
         const std::vector<bmr_vec2> &corners = m_corners.at({line.owner, LevelOf(line.owner, proof->level)});
@@ -178,21 +163,20 @@ private:
     const Course &m_course;
     const bmr_kds_info &m_structure;
     const int64_t m_steps;
-    recording::Frame m_frame; ///< in the making; events come into it while the simulation runs
+    shown::Frame m_frame; ///< in the making; events come into it while the simulation runs
     bmr_pose m_poses[2] = {};
-    std::map<std::pair<int, int>, int> m_names; ///< of envelopes, by body and level
+    std::map<std::pair<int, int>, int> m_names; ///< of the frame's envelopes, by body and level
     std::map<std::pair<int, int>, std::vector<bmr_vec2>> m_corners;
     std::unique_ptr<bmr_simulation, decltype(&bmr_simulation_destroy)> m_simulation;
 };
 
 } // namespace
 
-void RecordCourse(const Course &course, const bmr_kds_info &structure, int64_t steps,
-                  const std::function<void(const recording::Head &, const recording::Frame &)> &onFrame) {
-    CourseRecorder recorder(course, structure, steps);
-    const recording::Head head = recorder.Head();
+void VisitFrames(const Course &course, const bmr_kds_info &structure, int64_t steps,
+                 const std::function<void(const shown::Frame &)> &onFrame) {
+    CourseFrames frames(course, structure, steps);
     for (int64_t step = 0; step <= steps; ++step)
-        onFrame(head, recorder.Take(step));
+        onFrame(frames.Take(step));
 }
 
 } // namespace testbed

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_TESTBED_WORLD_RECORD_H
-#define BOOMERANG_TESTBED_WORLD_RECORD_H
+#ifndef BOOMERANG_TESTBED_WORLD_FRAMES_H
+#define BOOMERANG_TESTBED_WORLD_FRAMES_H
 
 #include <vector>
 
-#include "recording/recording.h"
+#include "picture/frame.h"
 #include "worlds/run.h"
 
 namespace testbed {
 
-/// A kinetic world as a recording: one frame at each look. Of a frame
+/// A kinetic world as frames for pictures, one at each look. Of a frame
 ///   - bodies are the world's, and four static ones after them, the walls; in a periodic box they are taken
 ///     back into it;
 ///   - the hulls that proofs name are the bodies' disks;
@@ -18,16 +18,14 @@ namespace testbed {
 ///     box have no proof here, for nothing can be drawn between them;
 ///   - touching are the contacts since the frame before, at their own times;
 ///   - events are those of pairs, in the words of structures (near: "start"), and "part".
-class WorldRecorder {
+class WorldFrames {
 public:
-    /// One frame at the start, and `steps` more, equally far apart in time.
-    WorldRecorder(const WorldSetup &setup, int64_t steps);
+    explicit WorldFrames(const WorldSetup &setup) : m_setup(setup) {}
 
-    recording::Head Head() const;
-    /// To be told by the run of all that happens between frames.
+    /// All that happens between frames, as the run tells it.
     void Add(const bmr_contact &contact);
     void Add(const bmr_world_event &event);
-    recording::Frame Take(const WorldRun &run);
+    shown::Frame Take(const WorldRun &run);
 
 private:
     int NumberOf(bmr_body body) const;
@@ -36,17 +34,17 @@ private:
     void AddBodies(const WorldRun &run);
     void AddWalls();
     void AddPair(const bmr_world_pair &pair, const WorldRun &run);
-    void SetClosest(const bmr_world_pair &pair, const WorldRun &run, recording::Pair *record) const;
+    void SetClosest(const bmr_world_pair &pair, const WorldRun &run, shown::Pair *record) const;
     bmr_pose OtherPose(const bmr_world_pair &pair, const WorldRun &run) const;
     bmr_vec2 FootOn(bmr_body wall, bmr_vec2 place) const;
-    recording::Proof DisksProof(const bmr_world_pair &pair, const WorldRun &run) const;
-    recording::Proof LineProof(const bmr_world_pair &pair, const WorldRun &run) const;
+    shown::Proof DisksProof(const bmr_world_pair &pair, const WorldRun &run) const;
+    shown::Proof LineProof(const bmr_world_pair &pair, const WorldRun &run) const;
     void AddDisk(int body, double radius);
-    recording::Proof ProofOf(const bmr_world_pair &pair, const WorldRun &run) const;
+    shown::Proof ProofOf(const bmr_world_pair &pair, const WorldRun &run) const;
 
     const WorldSetup &m_setup;
-    int64_t m_steps, m_step = 0;
-    recording::Frame m_frame; ///< the next
+    int64_t m_step = 0;
+    shown::Frame m_frame; ///< the next
 };
 
 } // namespace testbed

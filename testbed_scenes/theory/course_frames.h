@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_TESTBED_RECORD_COURSE_H
-#define BOOMERANG_TESTBED_RECORD_COURSE_H
+#ifndef BOOMERANG_TESTBED_COURSE_FRAMES_H
+#define BOOMERANG_TESTBED_COURSE_FRAMES_H
 
 #include <functional>
 
-#include "recording/recording.h"
+#include "picture/frame.h"
 #include "theory/course.h"
 
 namespace testbed {
@@ -13,8 +13,8 @@ namespace testbed {
 /// beginning and of `steps` times more, evenly to its end. Body 0 is A, body 1 is B; the pair's proof has the
 /// envelopes of its level, where the structure has a hierarchy. Throws std::runtime_error if the simulation
 /// fails, and what onFrame throws.
-void RecordCourse(const Course &course, const bmr_kds_info &structure, int64_t steps,
-                  const std::function<void(const recording::Head &, const recording::Frame &)> &onFrame);
+void VisitFrames(const Course &course, const bmr_kds_info &structure, int64_t steps,
+                 const std::function<void(const shown::Frame &)> &onFrame);
 
 } // namespace testbed
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "worlds/record.h"
+#include "worlds/frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace testbed {
 namespace {
 
-using recording::Vec;
+using shown::Vec;
 
 Vec ToVec(bmr_vec2 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y)};
@@ -22,61 +22,42 @@ Vec Farthest(const bmr_polygon *polygon, bmr_vec2 direction) {
 
 } // namespace
 
-WorldRecorder::WorldRecorder(const WorldSetup &setup, int64_t steps) : m_setup(setup), m_steps(steps) {}
-
-recording::Head WorldRecorder::Head() const {
-    recording::Head head;
-    head.scene = m_setup.choice.scene;
-    head.program = "world";
-    head.structure = m_setup.choice.structure;
-    head.size = static_cast<int64_t>(m_setup.bodies.size());
-    head.seed = m_setup.choice.seed;
-    head.time_step = static_cast<float>(m_setup.choice.seconds / static_cast<double>(m_steps));
-    head.last = m_steps;
-    if (m_setup.choice.boundary == BMR_PERIODIC)
-        head.period = ToVec(bmr_sub(m_setup.high, m_setup.low));
-    return head;
-}
-
-int WorldRecorder::NumberOf(bmr_body body) const {
+int WorldFrames::NumberOf(bmr_body body) const {
     return static_cast<int>(bmr_is_wall(body) ? m_setup.bodies.size() + (body - BMR_WALL(0)) : body);
 }
 
-bmr_vec2 WorldRecorder::Wrapped(bmr_vec2 position) const {
+bmr_vec2 WorldFrames::Wrapped(bmr_vec2 position) const {
     if (m_setup.choice.boundary != BMR_PERIODIC)
         return bmr_vec2_make(0.0, 0.0);
     const bmr_vec2 box = bmr_sub(m_setup.high, m_setup.low), at = bmr_sub(position, m_setup.low);
     return bmr_vec2_make(box.x * std::floor(at.x / box.x), box.y * std::floor(at.y / box.y));
 }
 
-void WorldRecorder::Add(const bmr_contact &contact) {
-    recording::Contact record;
+void WorldFrames::Add(const bmr_contact &contact) {
+    shown::Contact record;
     record.bodies = {NumberOf(contact.a), NumberOf(contact.b)};
     record.normal = ToVec(contact.normal);
     for (size_t i = 0; i < contact.count; ++i) {
-        recording::ContactPoint point;
+        shown::ContactPoint point;
         point.at = ToVec(bmr_sub(contact.points[i], Wrapped(contact.points[i])));
         record.points.push_back(point);
     }
     m_frame.touching.push_back(record);
 }
 
-void WorldRecorder::Add(const bmr_world_event &event) {
+void WorldFrames::Add(const bmr_world_event &event) {
     if (event.b == BMR_NO_BODY)
         return;
-    recording::Event record;
-    record.step = m_step;
+    shown::Event record;
     record.kind = event.kind == BMR_WORLD_NEAR || event.kind == BMR_WORLD_REPAIR
                       ? bmr_kds_event_name(event.report.kind)
                       : bmr_world_event_name(event.kind);
     record.a = NumberOf(event.a);
     record.b = NumberOf(event.b);
-    record.level_before = event.report.level_before;
-    record.level_after = event.report.level_after;
     m_frame.events.push_back(record);
 }
 
-void WorldRecorder::AddWalls() {
+void WorldFrames::AddWalls() {
     if (m_setup.choice.boundary != BMR_WALLED)
         return;
     const Vec low = ToVec(m_setup.low), high = ToVec(m_setup.high);
@@ -85,16 +66,14 @@ void WorldRecorder::AddWalls() {
                                                               {{{low.x, low.y}, {high.x, low.y}}},
                                                               {{{low.x, high.y}, {high.x, high.y}}}}};
     for (unsigned side = 0; side < BMR_WALLS; ++side) {
-        recording::Body body;
+        shown::Body body;
         body.number = NumberOf(BMR_WALL(side));
         body.type = "static";
         // Its frame is at the middle of its side.
         body.pose.position = {0.5f * (sides[side][0].x + sides[side][1].x),
                               0.5f * (sides[side][0].y + sides[side][1].y)};
         m_frame.bodies.push_back(body);
-        if (m_step > 0)
-            continue;
-        recording::Fixture fixture;
+        shown::Fixture fixture;
         fixture.body = body.number;
         fixture.shape = "edge";
         for (const Vec &end : sides[side])
@@ -103,10 +82,10 @@ void WorldRecorder::AddWalls() {
     }
 }
 
-void WorldRecorder::AddBodies(const WorldRun &run) {
+void WorldFrames::AddBodies(const WorldRun &run) {
     for (size_t i = 0; i < m_setup.bodies.size(); ++i) {
         const bmr_body_state state = run.StateOf(i);
-        recording::Body body;
+        shown::Body body;
         body.number = static_cast<int>(i);
         body.type = "dynamic";
         body.pose = {ToVec(bmr_sub(state.pose.position, Wrapped(state.pose.position))),
@@ -114,11 +93,9 @@ void WorldRecorder::AddBodies(const WorldRun &run) {
         m_frame.bodies.push_back(body);
         const Vec low = ToVec(state.cell_low), high = ToVec(state.cell_high);
         if (low.x < high.x)
-            m_frame.boxes.push_back({body.number, 0, 0, low.x, low.y, high.x, high.y});
-        if (m_step > 0)
-            continue;
+            m_frame.boxes.push_back({low.x, low.y, high.x, high.y});
         AddDisk(body.number, state.radius);
-        recording::Fixture fixture;
+        shown::Fixture fixture;
         fixture.body = body.number;
         fixture.shape = "polygon";
         for (const bmr_vec2 &vertex : m_setup.bodies[i].polygon->Vertices())
@@ -129,7 +106,7 @@ void WorldRecorder::AddBodies(const WorldRun &run) {
 }
 
 /// Where a pair's other body is, beside A; a wall's frame is at the middle of its side.
-bmr_pose WorldRecorder::OtherPose(const bmr_world_pair &pair, const WorldRun &run) const {
+bmr_pose WorldFrames::OtherPose(const bmr_world_pair &pair, const WorldRun &run) const {
     bmr_pose pose = bmr_pose_identity();
     if (!bmr_is_wall(pair.b)) {
         pose = run.StateOf(pair.b).pose;
@@ -144,13 +121,13 @@ bmr_pose WorldRecorder::OtherPose(const bmr_world_pair &pair, const WorldRun &ru
 }
 
 /// The point of a wall beside a place, in the wall's frame.
-bmr_vec2 WorldRecorder::FootOn(bmr_body wall, bmr_vec2 place) const {
+bmr_vec2 WorldFrames::FootOn(bmr_body wall, bmr_vec2 place) const {
     const bmr_vec2 middle = bmr_scale(0.5, bmr_add(m_setup.low, m_setup.high)), way = bmr_sub(place, middle);
     return wall < BMR_WALL(2) ? bmr_vec2_make(0.0, way.y) : bmr_vec2_make(way.x, 0.0);
 }
 
-recording::Proof WorldRecorder::DisksProof(const bmr_world_pair &pair, const WorldRun &run) const {
-    recording::Proof proof;
+shown::Proof WorldFrames::DisksProof(const bmr_world_pair &pair, const WorldRun &run) const {
+    shown::Proof proof;
     const bmr_body_state a = run.StateOf(pair.a);
     const bmr_pose pose = OtherPose(pair, run);
     const int one = static_cast<int>(pair.a) + 1;
@@ -178,8 +155,8 @@ recording::Proof WorldRecorder::DisksProof(const bmr_world_pair &pair, const Wor
     return proof;
 }
 
-recording::Proof WorldRecorder::LineProof(const bmr_world_pair &pair, const WorldRun &run) const {
-    recording::Proof proof;
+shown::Proof WorldFrames::LineProof(const bmr_world_pair &pair, const WorldRun &run) const {
+    shown::Proof proof;
     bmr_kds_proof line;
     if (pair.kds == nullptr || !bmr_kds_get_proof(pair.kds, &line))
         return proof;
@@ -208,7 +185,7 @@ recording::Proof WorldRecorder::LineProof(const bmr_world_pair &pair, const Worl
 }
 
 /// None where the two are shown on different sides of a periodic box.
-recording::Proof WorldRecorder::ProofOf(const bmr_world_pair &pair, const WorldRun &run) const {
+shown::Proof WorldFrames::ProofOf(const bmr_world_pair &pair, const WorldRun &run) const {
     if (!bmr_is_wall(pair.b)) {
         const bmr_vec2 a = Wrapped(run.StateOf(pair.a).pose.position),
                        b = bmr_add(Wrapped(run.StateOf(pair.b).pose.position), pair.image),
@@ -220,9 +197,9 @@ recording::Proof WorldRecorder::ProofOf(const bmr_world_pair &pair, const WorldR
 }
 
 /// Disks as polygons, for what draws outlines.
-void WorldRecorder::AddDisk(int body, double radius) {
+void WorldFrames::AddDisk(int body, double radius) {
     constexpr int kCorners = 48;
-    recording::Outline disk;
+    shown::Outline disk;
     disk.id = body + 1;
     disk.body = body;
     for (int i = 0; i < kCorners; ++i) {
@@ -233,8 +210,7 @@ void WorldRecorder::AddDisk(int body, double radius) {
 }
 
 /// Where a pair is to be shown: between the two, or where the body is beside its wall.
-void WorldRecorder::SetClosest(const bmr_world_pair &pair, const WorldRun &run,
-                               recording::Pair *record) const {
+void WorldFrames::SetClosest(const bmr_world_pair &pair, const WorldRun &run, shown::Pair *record) const {
     const bmr_body_state a = run.StateOf(pair.a);
     const bmr_vec2 shown = Wrapped(a.pose.position);
     const bmr_pose b = OtherPose(pair, run);
@@ -257,13 +233,12 @@ void WorldRecorder::SetClosest(const bmr_world_pair &pair, const WorldRun &run,
     record->distance = static_cast<float>(std::max(0.0, closest.distance));
 }
 
-void WorldRecorder::AddPair(const bmr_world_pair &pair, const WorldRun &run) {
-    recording::Pair record;
+void WorldFrames::AddPair(const bmr_world_pair &pair, const WorldRun &run) {
+    shown::Pair record;
     record.a = NumberOf(pair.a);
     record.b = NumberOf(pair.b);
     record.contacts = record.polygon_contacts = 1;
-    record.asked = 1;
-    const auto touches = [&record](const recording::Contact &contact) {
+    const auto touches = [&record](const shown::Contact &contact) {
         return contact.bodies == std::array<int, 2>{record.a, record.b};
     };
     if (pair.watch == BMR_WATCH_PASSING ||
@@ -272,7 +247,7 @@ void WorldRecorder::AddPair(const bmr_world_pair &pair, const WorldRun &run) {
         record.handed_over = 1;
     }
     SetClosest(pair, run, &record);
-    const recording::Proof proof = ProofOf(pair, run);
+    const shown::Proof proof = ProofOf(pair, run);
     if (proof.kind != "none") {
         record.slack = proof.slack;
         record.proofs.push_back(proof);
@@ -280,10 +255,10 @@ void WorldRecorder::AddPair(const bmr_world_pair &pair, const WorldRun &run) {
     m_frame.pairs.push_back(record);
 }
 
-recording::Frame WorldRecorder::Take(const WorldRun &run) {
+shown::Frame WorldFrames::Take(const WorldRun &run) {
     AddBodies(run);
     struct Visit {
-        WorldRecorder *recorder;
+        WorldFrames *recorder;
         const WorldRun *run;
     } visit = {this, &run};
     bmr_world_each_pair(
@@ -294,12 +269,15 @@ recording::Frame WorldRecorder::Take(const WorldRun &run) {
         },
         &visit);
     std::sort(m_frame.pairs.begin(), m_frame.pairs.end(),
-              [](const recording::Pair &x, const recording::Pair &y) {
-                  return x.a != y.a ? x.a < y.a : x.b < y.b;
-              });
-    recording::Frame frame;
+              [](const shown::Pair &x, const shown::Pair &y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+    shown::Frame frame;
     std::swap(frame, m_frame);
+    frame.scene = m_setup.choice.scene;
+    frame.program = "world";
     frame.step = m_step++;
+    frame.time = run.Time();
+    if (m_setup.choice.boundary == BMR_PERIODIC)
+        frame.period = ToVec(bmr_sub(m_setup.high, m_setup.low));
     return frame;
 }
 
