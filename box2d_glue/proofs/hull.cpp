@@ -178,8 +178,6 @@ bmr_error BuildHierarchy(const bmr_polygon *polygon, bmr_hierarchy **hierarchy) 
         return bmr_hierarchy_build_compass(polygon, settings.compass, nullptr, hierarchy);
     case BMR_LAZY_DUDLEY:
         return bmr_hierarchy_build_dudley(polygon, nullptr, hierarchy);
-    case BMR_LAZY_DOBKIN_KIRKPATRICK:
-        return bmr_hierarchy_build_dobkin_kirkpatrick(polygon, nullptr, hierarchy);
     default:
         return BMR_OK; // the free direction needs none
     }

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "analysis/course.h"
-#include "kds/cone.h"
+#include "kds/structure.h"
 
 #define PI 3.14159265358979323846
 /// Halvings of a stretch: double's precision is spent.
@@ -67,8 +67,8 @@ static cone look(sweep *s, double time) {
     s->samples++;
     c.apart = bmr_kds_closest(s->pair, &pose, &s->support[0], &s->support[1], &inside, &c.distance);
     if (c.apart) {
-        const bmr_vec2 low = bmr_cone_end(s->pair, &pose, inside, s->pair->def.margin, -1, s->support),
-                       high = bmr_cone_end(s->pair, &pose, inside, s->pair->def.margin, 1, s->support);
+        const bmr_vec2 low = bmr_kds_cone_end(s->pair, &pose, inside, s->pair->def.margin, -1, s->support),
+                       high = bmr_kds_cone_end(s->pair, &pose, inside, s->pair->def.margin, 1, s->support);
         const double middle = angle_of(inside);
         c.low = middle - atan2(bmr_cross(low, inside), bmr_dot(low, inside));
         c.high = middle + atan2(bmr_cross(inside, high), bmr_dot(inside, high));

@@ -251,29 +251,3 @@ void bmr_window_make(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t su
     window->high = lean > 0 ? far.direction : back.direction;
     window->life = bmr_dot(direction, far.direction);
 }
-
-/// Of the limit, what one half of a bracket may cost that reaches as far to one side as to the other: losses
-/// are quadratic in the angle.
-#define HALF_PART 0.25
-
-void bmr_window_make_one(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t support, double limit,
-                         int lean, bmr_window *window) {
-    window->steps = 1;
-    if (polygon->count <= 2) {
-        make_everywhere(polygon, window);
-        return;
-    }
-    const int sense = lean < 0 ? -1 : 1;
-    bmr_vec2 unused;
-    const tangent middle = {direction, support};
-    const tangent back =
-        lean == 0
-            ? turn(polygon, middle, -sense, HALF_PART * limit, WIDEST_COSINE, &unused, &window->steps)
-            : turn(polygon, middle, -sense, BACKWARD_PART * limit, BACKWARD_COSINE, &unused, &window->steps);
-    const tangent far = turn(polygon, back, sense, limit, WIDEST_COSINE, &window->corner[0], &window->steps);
-    window->corner[1] = window->corner[0];
-    window->low = sense > 0 ? back.direction : far.direction;
-    window->high = sense > 0 ? far.direction : back.direction;
-    const double on = bmr_dot(direction, far.direction), behind = bmr_dot(direction, back.direction);
-    window->life = lean == 0 && behind > on ? behind : on;
-}

@@ -4,7 +4,7 @@
 
 #include "boomerang/polygon.h"
 
-/// What stands for a whole polygon while the direction one looks at it from stays in a bracket: one or two
+/// What stands for a whole polygon while the direction one looks at it from stays in a bracket: two
 /// points whose support is never below the polygon's there, and never far above it.
 typedef struct bmr_window {
     bmr_vec2 corner[2];
@@ -24,12 +24,5 @@ typedef struct bmr_window {
 /// sixteenth, and 15 degrees the most. O(1) where vertices are spread evenly, O(log n) anyway.
 void bmr_window_make(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t support, double limit, int lean,
                      bmr_window *window);
-
-/// A window of one point only: where the tangents at the two ends of the bracket meet, within `limit` of
-/// the polygon. Up to the limit may be lost at `direction` already: on a smooth shape 3/8 of it where the
-/// bracket leans. `lean` 0: the bracket reaches as far to both sides. Both corners of the window are that
-/// point.
-void bmr_window_make_one(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t support, double limit,
-                         int lean, bmr_window *window);
 
 #endif

@@ -268,7 +268,7 @@ static void hold_direction(bmr_kds *kds, const bmr_instant *now, bmr_vec2 u, dou
     bmr_windowed_line lines[2];
     for (int owner = 0; owner < 2; ++owner) {
         bmr_windowed_line_set(&lines[owner], kds, &now->pose, owner, u, support);
-        bmr_windowed_corners(&lines[owner], kds, &now->pose, 2, CLOSE_PART * (distance - kds->def.margin), 0);
+        bmr_windowed_corners(&lines[owner], kds, &now->pose, CLOSE_PART * (distance - kds->def.margin), 0);
     }
     const bool of_b = bmr_windowed_time(&lines[1], kds, now) > bmr_windowed_time(&lines[0], kds, now);
     s->line = lines[of_b];
@@ -426,16 +426,10 @@ static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
     return is_its_tile ? bmr_held_audit(&s->held, b_in_a) : BMR_ERROR_INVALID_STRUCTURE;
 }
 
-static size_t tiling_bytes(const bmr_shape *a, const bmr_shape *b, int hierarchy) {
-    return bmr_mixed_tiling_most_bytes(a->hierarchies[hierarchy], b->hierarchies[hierarchy]);
-}
-static size_t compass_tiling_bytes(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
+static size_t tiling_bytes(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
     (void)def;
-    return tiling_bytes(a, b, BMR_HIERARCHY_COMPASS);
-}
-static size_t dudley_tiling_bytes(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
-    (void)def;
-    return tiling_bytes(a, b, BMR_HIERARCHY_DUDLEY);
+    return bmr_mixed_tiling_most_bytes(a->hierarchies[BMR_HIERARCHY_DUDLEY],
+                                       b->hierarchies[BMR_HIERARCHY_DUDLEY]);
 }
 
 #define CELL_CLASS(extra, is_tiled)                                                                          \
@@ -450,9 +444,7 @@ static size_t dudley_tiling_bytes(const bmr_shape *a, const bmr_shape *b, const 
                   .audit = audit},                                                                           \
         .tiled = (is_tiled)                                                                                  \
     }
-static const cell_class implicit_cell = CELL_CLASS(NULL, false),
-                        compass_tiling = CELL_CLASS(compass_tiling_bytes, true),
-                        dudley_tiling = CELL_CLASS(dudley_tiling_bytes, true);
+static const cell_class implicit_cell = CELL_CLASS(NULL, false), tiling = CELL_CLASS(tiling_bytes, true);
 
 BMR_KDS_INFO(active_cell_compass, "active-cell-compass", "Active cell of the mixed hierarchy, compass",
              "4, 5 (two polygons, rigid motion)", BMR_KDS_RIGID, BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS,
@@ -460,9 +452,6 @@ BMR_KDS_INFO(active_cell_compass, "active-cell-compass", "Active cell of the mix
 BMR_KDS_INFO(active_cell_dudley, "active-cell-dudley", "Active cell of the mixed hierarchy, Dudley",
              "4, 5 (two polygons, rigid motion)", BMR_KDS_RIGID, BMR_KDS_CONTROL, BMR_HIERARCHY_DUDLEY,
              &implicit_cell);
-BMR_KDS_INFO(tiling_compass, "tiling-compass", "The whole mixed hierarchy as a tiling, compass",
-             "4 (if we are willing to construct it)", BMR_KDS_TRANSLATION, BMR_KDS_CONTROL,
-             BMR_HIERARCHY_COMPASS, &compass_tiling);
 BMR_KDS_INFO(tiling_dudley, "tiling-dudley", "The whole mixed hierarchy as a tiling, Dudley",
              "4 (if we are willing to construct it)", BMR_KDS_TRANSLATION, BMR_KDS_CONTROL,
-             BMR_HIERARCHY_DUDLEY, &dudley_tiling);
+             BMR_HIERARCHY_DUDLEY, &tiling);

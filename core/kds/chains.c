@@ -68,18 +68,10 @@ size_t bmr_chains_bytes(const bmr_chains *chains) {
     return bytes_for(chains->count);
 }
 
-static size_t extra_bytes(const bmr_shape *shape, bmr_hierarchy_kind kind) {
-    return shape->chains[kind] ? 0 : bytes_for(bmr_hierarchy_edge_count(shape->hierarchies[kind]));
-}
-
-size_t bmr_kds_chains_bytes_compass(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
+size_t bmr_kds_chains_bytes(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
     (void)b, (void)def;
-    return extra_bytes(a, BMR_HIERARCHY_COMPASS);
-}
-
-size_t bmr_kds_chains_bytes_dudley(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {
-    (void)b, (void)def;
-    return extra_bytes(a, BMR_HIERARCHY_DUDLEY);
+    const bmr_hierarchy_kind kind = BMR_HIERARCHY_DUDLEY;
+    return a->chains[kind] ? 0 : bytes_for(bmr_hierarchy_edge_count(a->hierarchies[kind]));
 }
 
 bmr_error bmr_kds_chains_prepare(bmr_kds *kds) {

@@ -28,8 +28,7 @@ typedef struct bmr_chained_state {
     const bmr_chains *chains; ///< the polygon's, or those behind this state
 } bmr_chained_state;
 
-size_t bmr_kds_chains_bytes_compass(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def);
-size_t bmr_kds_chains_bytes_dudley(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def);
+size_t bmr_kds_chains_bytes(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def);
 /// As bmr_point_prepare, and makes the chains if the shape has none. WRONG_HIERARCHY: it has another
 /// hierarchy's. O(n), O(1) with the shape's.
 bmr_error bmr_kds_chains_prepare(bmr_kds *kds);

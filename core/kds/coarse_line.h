@@ -7,15 +7,9 @@
 #include "boomerang/inflated.h"
 #include "kds/windowed_line.h"
 
-/// The coarse line: across the normal of the edge of least rank that separates the two polygons. The rank is
-/// that of a tree over each polygon's edges that is nowhere stored: the four directions of its own frame's
-/// axes (edges of length 0) come first; then, in each quadrant between them, the middle one of its edges in
-/// the sorted array, then the middle ones of both halves, and so on. Of equal depth A's come before B's. The
-/// other body stands by its own vertices.
-///
-/// `closest` is the direction of the closest points; `support` are vertices near the support vertices in it.
-/// False: no edge separates by more than bmr_windowed_least. At least one does where the
-/// distance is more than sqrt(2) times that, for the normals of both are at most 90 degrees apart. O(log n).
+/// The coarse line (certificate/coarse.h); the other body stands by its own vertices. `closest` is the
+/// direction of the closest points; `support` are vertices near the support vertices in it. False: no edge
+/// separates by more than bmr_windowed_least. O(log n).
 bool bmr_coarse_line(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 closest, const uint32_t support[2],
                      bmr_windowed_line *line);
 

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The free-direction structures, for the open question of section 7: at an event, a direction that needs to
-// be no edge's normal is fixed in one of the two bodies, and a small window stands for the other. They need
-// the two sorted polygons and nothing more.
+// The free direction, for the open question of section 7: at an event the closest direction, which needs to
+// be no edge's normal, is fixed in one of the two bodies, and a window of two corners of tangents stands for
+// the other, in a bracket as wide as a part of the gap pays for. It needs the two sorted polygons and nothing
+// more, and has at most four conditions. The structures that take it are in two_lines.c.
 //
-//   FD1, FD2  the closest direction; one or two corners of tangents, in a bracket as wide as a part of the
-//             gap pays for. Four or five conditions and never more: half of the structures that answer the
-//             open question (two_lines.c).
-//   FDx       the closest direction; the other body's own vertices. The line outlives the window: where only
-//             the window is left behind, the event is a roll.
-//   FDxa      the same, but leaning ahead after two failures on the same side.
-//
-// What is proved of FD1 and FD2 (in real arithmetic; the words are those of docs/open-question.md, section
-// 1). A step goes from the choice of u at the time 0 to the first failure of that line at the time 1.
+// What is proved of it (in real arithmetic; the words are those of docs/open-question.md, section 1). A step
+// goes from the choice of u at the time 0 to the first failure of that line at the time 1.
 //
 // Lemma 1. At the end of a step x is on the line through c_0 across u_0. Let X = |x_1 - c_0| and theta the
 // angle between u_0 and u_1. Then d_1 <= X sin theta and theta <= 90 degrees. Proof. c_0 is in C, so u_1.(x_1
@@ -61,143 +55,32 @@
 // Omega(g), and for g <= D that is Omega(sigma). An algebraic path of bounded degree has length O(D) in a
 // disc of radius O(D), and its rotation is O(1): O(D/sigma) steps there. Farther away a step takes |delta| =
 // Omega(1) or |tau| = Omega(g), of which each doubling of g has O(1): O(log(R/D)).
-#include <math.h>
-
-#include "kds/cone.h"
 #include "kds/free_direction.h"
-#include "kds/registry.h"
 
-/// How far FDxa leans (bmr_lean_direction).
-#define LEAN_PART 0.6
-
-/// FDx has no windows of its own: this part of the gap is what its choice of the owner reckons with.
-#define OWNER_PART 0.5
-
-typedef struct free_class {
-    bmr_kds_class class; ///< first: an info's implementation is a pointer to it
-    int corners;         ///< of the windows; 0: the body's own vertices
-    double window_part;  ///< gamma
-    bool leans;
-} free_class;
-
-typedef struct free_state {
-    bmr_windowed_line now;
-    int8_t spin; ///< the way B turns in A's frame, as far as known
-    bmr_lean lean;
-} free_state;
-
-static const free_class *class_of(const bmr_kds *kds) {
-    return kds->info->implementation;
-}
-
-static free_state *state_of(bmr_kds *kds) {
-    return (free_state *)(void *)kds->state;
-}
-
-/// A window for the line as it stands.
-static void make_window(bmr_windowed_line *w, const free_class *class, const bmr_kds *kds,
-                        const bmr_pose *pose, int spin, double gap) {
-    const int sense = bmr_windowed_sense(w->owner, spin);
-    const double part = kds->def.window_part > 0.0 ? kds->def.window_part : class->window_part;
-    // One corner costs part of the gap at once; where nothing is known to turn, there is no need to pay.
-    if (class->corners == 0 || (class->corners == 1 && sense == 0))
-        bmr_windowed_exact(w, kds, pose, sense);
-    else
-        bmr_windowed_corners(w, kds, pose, class->corners, part * gap, sense);
-}
+/// gamma: how much of the gap the window's corners may cost within its bracket.
+#define WINDOW_PART 0.3
 
 /// Which of two bodies' lines is better to have: the one that lasts longer at the rates of this instant;
 /// where these are unknown or tell nothing, the one whose window has the wider bracket.
-static int better_owner(const free_class *class, const bmr_kds *kds, const bmr_instant *now,
-                        const bmr_windowed_line made[2], int spin, double gap) {
+static int better_owner(const bmr_kds *kds, const bmr_instant *now, const bmr_windowed_line made[2],
+                        int spin) {
     double time[2], life[2];
     for (int owner = 0; owner < 2; ++owner) {
-        bmr_windowed_line reckoned = made[owner];
-        if (class->corners == 0)
-            bmr_windowed_corners(&reckoned, kds, &now->pose, 2, OWNER_PART * gap, 0);
-        time[owner] = bmr_windowed_time(&reckoned, kds, now);
-        life[owner] = bmr_windowed_life(&reckoned, &now->pose, bmr_windowed_sense(owner, spin));
+        time[owner] = bmr_windowed_time(&made[owner], kds, now);
+        life[owner] = bmr_windowed_life(&made[owner], &now->pose, bmr_windowed_sense(owner, spin));
     }
     if (time[0] != time[1])
         return time[1] > time[0] ? 1 : 0;
     return life[1] < life[0] ? 1 : 0;
 }
 
-/// The line across a direction, of the body that is better to have, with its window.
-static void lay(const free_class *class, const bmr_kds *kds, const bmr_instant *now, bmr_vec2 direction,
-                double gap, int spin, const uint32_t support[2], bmr_windowed_line *line) {
+void bmr_free_direction_lay(const bmr_kds *kds, const bmr_instant *now, bmr_vec2 direction, double gap,
+                            int spin, const uint32_t support[2], bmr_windowed_line *line) {
+    const double part = kds->def.window_part > 0.0 ? kds->def.window_part : WINDOW_PART;
     bmr_windowed_line made[2];
     for (int owner = 0; owner < 2; ++owner) {
         bmr_windowed_line_set(&made[owner], kds, &now->pose, owner, direction, support);
-        make_window(&made[owner], class, kds, &now->pose, spin, gap);
+        bmr_windowed_corners(&made[owner], kds, &now->pose, part * gap, bmr_windowed_sense(owner, spin));
     }
-    *line = made[better_owner(class, kds, now, made, spin, gap)];
+    *line = made[better_owner(kds, now, made, spin)];
 }
-
-/// A new line. `before` is the direction of the one that failed, or NULL.
-static bool select_line(bmr_kds *kds, const bmr_instant *now, const bmr_vec2 *before) {
-    free_state *s = state_of(kds);
-    uint32_t support[2] = {s->now.support[0], s->now.support[1]};
-    bmr_vec2 u;
-    double distance;
-    if (!bmr_windowed_closest(kds, &now->pose, support, &u, &distance))
-        return false;
-    if (before)
-        bmr_lean_note(&s->lean, *before, u);
-    if (class_of(kds)->leans && before && bmr_lean_is_due(&s->lean))
-        u = bmr_lean_direction(&s->lean, kds, &now->pose, LEAN_PART, u, distance, support);
-    lay(class_of(kds), kds, now, u, distance - kds->def.margin, s->spin, support, &s->now);
-    return true;
-}
-
-static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    free_state *s = state_of(kds);
-    s->spin = (int8_t)bmr_sign(now->spin);
-    s->lean = (bmr_lean){0, 0};
-    (void)report;
-    return select_line(kds, now, NULL);
-}
-
-static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
-    (void)failed; // others may have failed at the same time
-    free_state *s = state_of(kds);
-    const bmr_windowed_line old = s->now;
-    const bmr_windowed_failure failure = bmr_windowed_fails(&old, kds, now);
-    if (!failure.crossed && failure.rolled == 0)
-        return true; // NONE
-    if (now->spin != 0.0)
-        s->spin = (int8_t)bmr_sign(now->spin);
-    else if (failure.rolled != 0)
-        s->spin = (int8_t)(old.owner == 0 ? -failure.rolled : failure.rolled);
-    report->kind = failure.crossed ? BMR_KDS_PUSH : BMR_KDS_ROLL;
-    if (!failure.crossed && class_of(kds)->corners == 0) {
-        bmr_windowed_exact(&s->now, kds, &now->pose, bmr_windowed_sense(old.owner, s->spin));
-        if (!bmr_windowed_fails(&s->now, kds, now).crossed)
-            return true;
-        report->kind = BMR_KDS_PUSH;
-    }
-    const bmr_vec2 before = bmr_windowed_direction(&old, &now->pose);
-    if (!select_line(kds, now, &before))
-        return false;
-    report->line_changed = !bmr_windowed_same_line(&old, &s->now);
-    return true;
-}
-
-#define FREE_CLASS(corners, part, leans)                                                                     \
-    { {BMR_WINDOWED_CLASS(free_state, start, repair)}, corners, part, leans }
-static const free_class fd1 = FREE_CLASS(1, 0.5, false), fd2 = FREE_CLASS(2, 0.3, false),
-                        fdx = FREE_CLASS(0, 0.0, false), fdxa = FREE_CLASS(0, 0.0, true);
-
-void bmr_free_direction_lay(const bmr_kds *kds, const bmr_instant *now, bmr_vec2 direction, double gap,
-                            int spin, const uint32_t support[2], bmr_windowed_line *line) {
-    lay(&fd2, kds, now, direction, gap, spin, support, line);
-}
-
-BMR_KDS_INFO(free_fd1, "free-fd1", "Free direction, one corner", "7, the open question", BMR_KDS_RIGID,
-             BMR_KDS_CONTROL, -1, &fd1);
-BMR_KDS_INFO(free_fd2, "free-fd2", "Free direction, two corners", "7, the open question", BMR_KDS_RIGID,
-             BMR_KDS_CONTROL, -1, &fd2);
-BMR_KDS_INFO(free_fdx, "free-fdx", "Free direction, exact support", "beyond the paper", BMR_KDS_RIGID,
-             BMR_KDS_CONTROL, -1, &fdx);
-BMR_KDS_INFO(free_fdxa, "free-fdxa", "Free direction, exact support, leaning ahead", "beyond the paper",
-             BMR_KDS_RIGID, BMR_KDS_CONTROL, -1, &fdxa);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "certificate/cone.h"
 #include "geometry/distance.h"
 #include "geometry/memory.h"
 #include "hierarchy/tree.h"
@@ -157,6 +158,15 @@ bool bmr_kds_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t *a, ui
     *direction = closest.direction;
     *distance = closest.separation;
     return true;
+}
+
+bmr_vec2 bmr_kds_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 inside, double least, int side,
+                          const uint32_t support[2]) {
+    unsigned steps = 0;
+    const bmr_vec2 end = bmr_cone_end(kds->shapes[0].polygon, kds->shapes[1].polygon, b_in_a, inside, least,
+                                      side, support, &steps);
+    bmr_kds_tally(kds, steps);
+    return end;
 }
 
 /// Brute force over every vertex: does the proof's line separate by more than the margin, up to the rounding

@@ -291,6 +291,3 @@ BMR_KDS_INFO(lazy_compass, "lazy-compass", "edge and corner of one level, compas
              BMR_KDS_RIGID, BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS, &lazy);
 BMR_KDS_INFO(lazy_dudley, "lazy-dudley", "edge and corner of one level, Dudley", "5, two polygons (lazy)",
              BMR_KDS_RIGID, BMR_KDS_RECOMMENDED, BMR_HIERARCHY_DUDLEY, &lazy);
-BMR_KDS_INFO(lazy_dobkin_kirkpatrick, "lazy-dobkin-kirkpatrick",
-             "edge and corner of one level, Dobkin-Kirkpatrick", "5, two polygons (lazy)", BMR_KDS_RIGID,
-             BMR_KDS_CONTROL, BMR_HIERARCHY_DOBKIN_KIRKPATRICK, &lazy);

@@ -75,14 +75,10 @@ bool bmr_point_is_after(const bmr_hierarchy *hierarchy, bmr_edge edge, bmr_vec2 
 bmr_edge bmr_point_descend(const bmr_hierarchy *hierarchy, bmr_edge edge, bmr_vec2 x, double need,
                            unsigned *steps);
 
-/// The structures' own functions, for those that run on an explicit Minkowski sum.
+/// The active triangle's own functions, for the one on an explicit Minkowski sum.
 bool bmr_triangle_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report);
 bool bmr_triangle_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report);
 size_t bmr_triangle_conditions(const bmr_kds *kds, bmr_condition *conditions);
 bmr_error bmr_triangle_audit(const bmr_kds *kds, const bmr_pose *b_in_a);
-bool bmr_point_lazy_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report);
-bool bmr_point_lazy_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report);
-bool bmr_point_inflated_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report);
-bool bmr_point_inflated_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report);
 
 #endif

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The inflated structures for a point (section 6): one separating edge, chosen so that the point is beyond it
-// by eps_j or more, j the least level whose inflated envelope has the point outside. Three ways to choose it:
+// by eps_j or more, j the least level whose inflated envelope has the point outside. Two ways to choose it:
 //
 // - the paper's: the edge of Q_j whose inflated copy the old line enters Q'_j through; each breakpoint is
 //   computed when it is needed, in O(j), and j is searched from the old edge's level outwards;
-// - the edge of most slack on the level, found on the way down along the closest direction;
 // - the cell that the point is in, in the complex of triangles and trapezoids between the inflated envelopes
 //   (point_complex.c).
+//
+// At the start, and where neither finds an edge, the edge of most slack on the level is taken, found on the
+// way down along the closest direction.
 //
 // If the point is inside the last Q'_j, in the annulus around the polygon, no slack can be promised. Near the
 // polygon the coarsest edge that separates is taken, of which a convex path needs one a level at most; that
@@ -163,7 +165,7 @@ bool bmr_point_inflated_done(const bmr_kds *kds, bool apart, bmr_kds_report *rep
     return apart;
 }
 
-bool bmr_point_inflated_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)failed;
     const bmr_vec2 x = bmr_point_at(kds, &now->pose);
     if (!bmr_point_inflated_fails(kds, x, report))
@@ -173,31 +175,14 @@ bool bmr_point_inflated_repair(bmr_kds *kds, const bmr_instant *now, size_t fail
     return bmr_point_inflated_done(kds, apart, report);
 }
 
-static bool slack_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
-    (void)failed;
-    if (!bmr_point_inflated_fails(kds, bmr_point_at(kds, &now->pose), report))
-        return true;
-    const bool apart = bmr_point_choose_by_slack(kds, &now->pose, &report->touched);
-    return bmr_point_inflated_done(kds, apart, report);
-}
-
 static const bmr_kds_class by_old_line = {.state_bytes = sizeof(bmr_point_state),
                                           .prepare = bmr_point_prepare,
                                           .start = bmr_point_inflated_start,
                                           .conditions = bmr_point_conditions,
-                                          .repair = bmr_point_inflated_repair,
+                                          .repair = repair,
                                           .proof = bmr_point_proof};
-static const bmr_kds_class by_slack = {.state_bytes = sizeof(bmr_point_state),
-                                       .prepare = bmr_point_prepare,
-                                       .start = bmr_point_inflated_start,
-                                       .conditions = bmr_point_conditions,
-                                       .repair = slack_repair,
-                                       .proof = bmr_point_proof};
-
 BMR_KDS_INFO(point_inflated_compass, "point-inflated-compass",
              "point: inflated, entry of the old line, compass", "6, breakpoints on the fly", BMR_KDS_POINT,
              BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS, &by_old_line);
 BMR_KDS_INFO(point_inflated_dudley, "point-inflated-dudley", "point: inflated, entry of the old line, Dudley",
              "6, breakpoints on the fly", BMR_KDS_POINT, BMR_KDS_CONTROL, BMR_HIERARCHY_DUDLEY, &by_old_line);
-BMR_KDS_INFO(point_inflated_slack, "point-inflated-slack", "point: inflated, most slack, compass",
-             "6, edge of most slack", BMR_KDS_POINT, BMR_KDS_RECOMMENDED, BMR_HIERARCHY_COMPASS, &by_slack);

@@ -25,6 +25,7 @@ typedef struct bmr_level_choice {
 bmr_level_choice bmr_point_most_slack(bmr_kds *kds, bmr_vec2 x, bmr_vec2 u, unsigned *touched);
 /// Takes that edge, or the closest direction where no edge will do. False: contact.
 bool bmr_point_choose_by_slack(bmr_kds *kds, const bmr_pose *b_in_a, unsigned *touched);
+bool bmr_point_inflated_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report);
 
 /// The frame of a repair: has the certificate failed, and what became of it.
 bool bmr_point_inflated_fails(const bmr_kds *kds, bmr_vec2 x, bmr_kds_report *report);

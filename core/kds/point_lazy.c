@@ -28,7 +28,7 @@ static bool from_closest(bmr_kds *kds, const bmr_pose *b_in_a, unsigned *touched
     return bmr_point_take_free(kds, b_in_a);
 }
 
-bool bmr_point_lazy_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
     const bool apart = from_closest(kds, &now->pose, &report->touched);
     report->level_after = apart ? bmr_point_level(kds) : 0;
     return apart;
@@ -46,7 +46,7 @@ static bmr_edge push(const bmr_kds *kds, bmr_vec2 x) {
 }
 
 /// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
-bool bmr_point_lazy_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
+static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)failed;
     bmr_point_state *state = bmr_point_get(kds);
     const bmr_vec2 x = bmr_point_at(kds, &now->pose);
@@ -74,17 +74,11 @@ bool bmr_point_lazy_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, 
 
 static const bmr_kds_class lazy = {.state_bytes = sizeof(bmr_point_state),
                                    .prepare = bmr_point_prepare,
-                                   .start = bmr_point_lazy_start,
+                                   .start = start,
                                    .conditions = bmr_point_conditions,
-                                   .repair = bmr_point_lazy_repair,
+                                   .repair = repair,
                                    .proof = bmr_point_proof};
 
-BMR_KDS_INFO(point_lazy_compass, "point-lazy-compass", "point: separating edge, compass",
-             "5, one point, one polygon (lazy)", BMR_KDS_POINT, BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS,
-             &lazy);
 BMR_KDS_INFO(point_lazy_dudley, "point-lazy-dudley", "point: separating edge, Dudley",
              "5, one point, one polygon (lazy)", BMR_KDS_POINT, BMR_KDS_RECOMMENDED, BMR_HIERARCHY_DUDLEY,
              &lazy);
-BMR_KDS_INFO(point_lazy_dobkin_kirkpatrick, "point-lazy-dobkin-kirkpatrick",
-             "point: separating edge, Dobkin-Kirkpatrick", "5, one point, one polygon (lazy)", BMR_KDS_POINT,
-             BMR_KDS_CONTROL, BMR_HIERARCHY_DOBKIN_KIRKPATRICK, &lazy);

@@ -161,22 +161,14 @@ static const bmr_kds_class by_levels = {.state_bytes = sizeof(bmr_point_state),
                                         .proof = bmr_point_proof,
                                         .audit = bmr_triangle_audit};
 /// The chains lie behind the state, unless the shape has them.
-static const bmr_kds_class by_bisection_compass = {.state_bytes = sizeof(bmr_chained_state),
-                                                   .extra_bytes = bmr_kds_chains_bytes_compass,
-                                                   .prepare = bmr_kds_chains_prepare,
-                                                   .start = bmr_triangle_start,
-                                                   .conditions = bmr_triangle_conditions,
-                                                   .repair = bmr_triangle_repair,
-                                                   .proof = bmr_point_proof,
-                                                   .audit = bmr_triangle_audit};
-static const bmr_kds_class by_bisection_dudley = {.state_bytes = sizeof(bmr_chained_state),
-                                                  .extra_bytes = bmr_kds_chains_bytes_dudley,
-                                                  .prepare = bmr_kds_chains_prepare,
-                                                  .start = bmr_triangle_start,
-                                                  .conditions = bmr_triangle_conditions,
-                                                  .repair = bmr_triangle_repair,
-                                                  .proof = bmr_point_proof,
-                                                  .audit = bmr_triangle_audit};
+static const bmr_kds_class by_bisection = {.state_bytes = sizeof(bmr_chained_state),
+                                           .extra_bytes = bmr_kds_chains_bytes,
+                                           .prepare = bmr_kds_chains_prepare,
+                                           .start = bmr_triangle_start,
+                                           .conditions = bmr_triangle_conditions,
+                                           .repair = bmr_triangle_repair,
+                                           .proof = bmr_point_proof,
+                                           .audit = bmr_triangle_audit};
 
 BMR_KDS_INFO(triangle_levels_compass, "triangle-levels-compass",
              "point: active triangle, level by level, compass", "5, one point, one polygon", BMR_KDS_POINT,
@@ -184,9 +176,6 @@ BMR_KDS_INFO(triangle_levels_compass, "triangle-levels-compass",
 BMR_KDS_INFO(triangle_levels_dudley, "triangle-levels-dudley",
              "point: active triangle, level by level, Dudley", "5, one point, one polygon", BMR_KDS_POINT,
              BMR_KDS_CONTROL, BMR_HIERARCHY_DUDLEY, &by_levels);
-BMR_KDS_INFO(triangle_binary_compass, "triangle-binary-compass",
-             "point: active triangle, binary search, compass", "5, one point, one polygon", BMR_KDS_POINT,
-             BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS, &by_bisection_compass);
 BMR_KDS_INFO(triangle_binary_dudley, "triangle-binary-dudley",
              "point: active triangle, binary search, Dudley", "5, one point, one polygon", BMR_KDS_POINT,
-             BMR_KDS_CONTROL, BMR_HIERARCHY_DUDLEY, &by_bisection_dudley);
+             BMR_KDS_CONTROL, BMR_HIERARCHY_DUDLEY, &by_bisection);

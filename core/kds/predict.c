@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Free directions chosen by how long they are going to last: the structures whose lines come nearest to the
-// offline optimum's in number. Their events do not: where bodies turn, each vertex that becomes the nearest
-// is one, however far apart they are. At an event, directions across the cone of all that separate are tried
-// in both bodies, and the line is taken that survives longest if the motion goes on as it seems to. As in FDx
-// the support is exact, and only failures of the line count: the window rolls along without touching it.
+// A free direction chosen by how long it is going to last: the structure whose lines come nearest to the
+// offline optimum's in number. Its events do not: where bodies turn, each vertex that becomes the nearest is
+// one, however far apart they are. At an event, directions across the cone of all that separate are tried in
+// both bodies, and the line is taken that survives longest if the motion goes on as it seems to. The other
+// body stands by its own vertices, and only failures of the line count: the window rolls along without
+// touching it.
 //
-//   predict           always believes the rates of the instant
-//   predict-adaptive  measures how well it foresaw the last events, and doubts what it sees: doubt is a
-//                     distance that grows with the path. In full doubt the best line is the one of most
-//                     slack. It finds out which of the bodies turns, and leans into a drift over several
-//                     events.
+// It measures how well it foresaw the last events, and doubts what it sees: doubt is a distance that grows
+// with the path. In full doubt the best line is the one of most slack. It finds out which of the bodies
+// turns, and leans into a drift over several events.
 //
 // For a Brownian walk across the arc of directions that a line tolerates, nothing online gets below twice the
 // optimum on average: the middle of an arc is left after A^2 steps on average, and a range as wide as the arc
@@ -19,7 +18,6 @@
 
 #include "geometry/distance.h"
 #include "geometry/length.h"
-#include "kds/cone.h"
 #include "kds/registry.h"
 #include "kds/windowed_line.h"
 
@@ -29,9 +27,8 @@
 /// only by this part.
 #define NORMAL_LEAST_PART 1e-3
 /// How many directions across the cone are tried: 2^k + 1, so that both ends and the middle are among them.
-#define ADAPTIVE_ACROSS 9
-#define PLAIN_ACROSS 3
-#define MOST_CANDIDATES (ADAPTIVE_ACROSS + 2)
+#define ACROSS 9
+#define MOST_CANDIDATES (ACROSS + 2)
 
 /// The motion is foreseen at TIMES times that grow geometrically. At the first, the bodies have moved by
 /// FIRST_PART of the gap; at the last, by HORIZON times their size and distance.
@@ -52,10 +49,14 @@
 /// The largest error that counts: a body that went the opposite way is off by twice the path.
 #define DOUBT_MOST 2.0
 
-/// From the doubt LEAN_DOUBT on, the line leans by LEAN_PART (bmr_lean_direction). Under translation only:
+/// From the doubt LEAN_DOUBT on, the line leans by LEAN_PART (lean_direction). Under translation only:
 /// where the bodies turn, the choice of the owner matters more.
 #define LEAN_PART 0.4
 #define LEAN_DOUBT 0.5
+/// This many failures on the same side make it take a line that is turned to that side.
+#define LEAN_AFTER 2
+/// It may turn towards the end of the cone until it separates by only this part of the distance.
+#define LEAN_LEAST_PART 0.25
 
 /// How the pair moves on. Only the relative motion is told, so that it is not known which body turns.
 typedef enum predict_model {
@@ -64,17 +65,17 @@ typedef enum predict_model {
     MODEL_COUNT
 } predict_model;
 
-typedef struct predict_class {
-    bmr_kds_class class; ///< first: an info's implementation is a pointer to it
-    int across;
-    bool adaptive;
-} predict_class;
+/// On which side of their lines the last failures were.
+typedef struct lean_sides {
+    int8_t side; ///< of the last one: the way the closest direction had turned from the line's
+    uint8_t row; ///< failures on that side, one after the other
+} lean_sides;
 
 typedef struct predict_state {
     bmr_windowed_line now;
     bmr_instant last;          ///< of the last choice
     double wrong[MODEL_COUNT]; ///< mean error of each model, as part of the path
-    bmr_lean lean;
+    lean_sides lean;
 } predict_state;
 
 /// The motion as foreseen, at times from now on.
@@ -92,10 +93,6 @@ typedef struct candidate {
     int owner;
     double life, last_gap; ///< how long it lasts; the gap at the end of that
 } candidate;
-
-static const predict_class *class_of(const bmr_kds *kds) {
-    return kds->info->implementation;
-}
 
 static predict_state *state_of(bmr_kds *kds) {
     return (predict_state *)(void *)kds->state;
@@ -156,7 +153,7 @@ static void forget(predict_state *s, const bmr_instant *now) {
     const bool a_moves = bmr_length(other.velocity) < bmr_length(now->velocity);
     s->wrong[MODEL_B_STRAIGHT] = a_moves ? DOUBT_OTHER : DOUBT_START;
     s->wrong[MODEL_A_STRAIGHT] = a_moves ? DOUBT_START : DOUBT_OTHER;
-    s->lean = (bmr_lean){0, 0};
+    s->lean = (lean_sides){0, 0};
 }
 
 static double doubt_of(double wrong) {
@@ -241,16 +238,15 @@ static bmr_vec2 between(bmr_vec2 a, bmr_vec2 b) {
 static int directions(const bmr_kds *kds, const bmr_instant *now, predict_model model, bmr_vec2 closest,
                       double distance, const uint32_t support[2], bmr_vec2 out[MOST_CANDIDATES]) {
     const double margin = kds->def.margin, gap = distance - margin;
-    const int across = class_of(kds)->across;
     int count = 0;
     out[count++] = closest;
     bmr_vec2 *fan = out + count;
-    fan[0] = bmr_cone_end(kds, &now->pose, closest, margin + LEAST_PART * gap, -1, support);
-    fan[across - 1] = bmr_cone_end(kds, &now->pose, closest, margin + LEAST_PART * gap, 1, support);
-    for (int step = across - 1; step > 1; step /= 2)
-        for (int i = 0; i + step < across; i += step)
+    fan[0] = bmr_kds_cone_end(kds, &now->pose, closest, margin + LEAST_PART * gap, -1, support);
+    fan[ACROSS - 1] = bmr_kds_cone_end(kds, &now->pose, closest, margin + LEAST_PART * gap, 1, support);
+    for (int step = ACROSS - 1; step > 1; step /= 2)
+        for (int i = 0; i + step < ACROSS; i += step)
             fan[i + step / 2] = between(fan[i], fan[i + step]);
-    count += across;
+    count += ACROSS;
     bmr_vec2 velocity = seen(now, model).velocity;
     if (model == MODEL_A_STRAIGHT)
         velocity = bmr_rotate(&now->pose, velocity);
@@ -265,6 +261,31 @@ static int directions(const bmr_kds *kds, const bmr_instant *now, predict_model 
     return count;
 }
 
+/// One more failure: of a line across `line`, where the closest direction is `closest` now.
+static void note_lean(lean_sides *lean, bmr_vec2 line, bmr_vec2 closest) {
+    const double turned = bmr_cross(line, closest);
+    const int side = (turned > 0.0) - (turned < 0.0);
+    lean->row = side != lean->side ? 1 : (uint8_t)(lean->row < LEAN_AFTER ? lean->row + 1 : LEAN_AFTER);
+    lean->side = (int8_t)side;
+}
+
+/// Has it failed on the same side often enough?
+static bool lean_is_due(const lean_sides *lean) {
+    return lean->row >= LEAN_AFTER && lean->side != 0;
+}
+
+/// The direction that leans to that side: `part` of the way from the closest direction to the last one that
+/// still separates by a quarter of the distance beyond the margin.
+static bmr_vec2 lean_direction(const lean_sides *lean, const bmr_kds *kds, const bmr_pose *b_in_a,
+                               double part, bmr_vec2 closest, double distance, const uint32_t support[2]) {
+    const double margin = kds->def.margin;
+    const double least = margin + LEAN_LEAST_PART * (distance - margin);
+    const bmr_vec2 end = bmr_kds_cone_end(kds, b_in_a, closest, least, lean->side, support);
+    const double angle = part * atan2(bmr_cross(closest, end), bmr_dot(closest, end));
+    const bmr_pose turn = {{0.0, 0.0}, cos(angle), sin(angle)};
+    return bmr_rotate(&turn, closest);
+}
+
 static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh) {
     predict_state *s = state_of(kds);
     uint32_t support[2] = {s->now.support[0], s->now.support[1]};
@@ -276,19 +297,16 @@ static bool choose(bmr_kds *kds, const bmr_instant *now, bool fresh) {
         forget(s, now);
     else {
         learn(s, kds, now);
-        bmr_lean_note(&s->lean, bmr_windowed_direction(&s->now, &now->pose), closest);
+        note_lean(&s->lean, bmr_windowed_direction(&s->now, &now->pose), closest);
     }
     s->last = *now;
-    const bool adaptive = class_of(kds)->adaptive;
-    if (!adaptive)
-        forget(s, now);
     const predict_model model =
         s->wrong[MODEL_A_STRAIGHT] < s->wrong[MODEL_B_STRAIGHT] ? MODEL_A_STRAIGHT : MODEL_B_STRAIGHT;
-    const double doubt = adaptive ? doubt_of(s->wrong[model]) : 0.0;
+    const double doubt = doubt_of(s->wrong[model]);
     bmr_vec2 tried[MOST_CANDIDATES] = {{0.0, 0.0}};
     int count = 1;
-    if (doubt > LEAN_DOUBT && now->spin == 0.0 && bmr_lean_is_due(&s->lean))
-        tried[0] = bmr_lean_direction(&s->lean, kds, &now->pose, LEAN_PART, closest, distance, support);
+    if (doubt > LEAN_DOUBT && now->spin == 0.0 && lean_is_due(&s->lean))
+        tried[0] = lean_direction(&s->lean, kds, &now->pose, LEAN_PART, closest, distance, support);
     else
         count = directions(kds, now, model, closest, distance, support, tried);
     forecast f;
@@ -330,12 +348,7 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     return true;
 }
 
-#define PREDICT_CLASS(across, adaptive)                                                                      \
-    { {BMR_WINDOWED_CLASS(predict_state, start, repair)}, across, adaptive }
-static const predict_class plain = PREDICT_CLASS(PLAIN_ACROSS, false),
-                           adaptive = PREDICT_CLASS(ADAPTIVE_ACROSS, true);
+static const bmr_kds_class adaptive = {BMR_WINDOWED_CLASS(predict_state, start, repair)};
 
-BMR_KDS_INFO(predict, "predict", "Free direction of the longest predicted life", "beyond the paper",
-             BMR_KDS_RIGID, BMR_KDS_RECOMMENDED, -1, &plain);
 BMR_KDS_INFO(predict_adaptive, "predict-adaptive", "Free direction, prediction that learns to doubt",
              "beyond the paper", BMR_KDS_RIGID, BMR_KDS_CONTROL, -1, &adaptive);

@@ -12,38 +12,31 @@
 // inflated_pair.c; the last is not in the table: tests show that its windowless hysteresis fails
 extern const bmr_kds_info bmr_kds_inflated_translation, bmr_kds_inflated_window, bmr_kds_inflated_nowindow;
 // active_cell.c
-extern const bmr_kds_info bmr_kds_active_cell_compass, bmr_kds_active_cell_dudley;
-extern const bmr_kds_info bmr_kds_tiling_compass, bmr_kds_tiling_dudley;
+extern const bmr_kds_info bmr_kds_active_cell_compass, bmr_kds_active_cell_dudley, bmr_kds_tiling_dudley;
 
 // predict.c
-extern const bmr_kds_info bmr_kds_predict, bmr_kds_predict_adaptive;
-// free_direction.c
-extern const bmr_kds_info bmr_kds_free_fd1, bmr_kds_free_fd2, bmr_kds_free_fdx, bmr_kds_free_fdxa;
-
+extern const bmr_kds_info bmr_kds_predict_adaptive;
 // two_lines.c
-extern const bmr_kds_info bmr_kds_hybrid, bmr_kds_two_lines, bmr_kds_coarse;
+extern const bmr_kds_info bmr_kds_hybrid, bmr_kds_two_lines, bmr_kds_free_fd2, bmr_kds_coarse;
 
 // point_lazy.c
-extern const bmr_kds_info bmr_kds_point_lazy_compass, bmr_kds_point_lazy_dudley,
-    bmr_kds_point_lazy_dobkin_kirkpatrick;
+extern const bmr_kds_info bmr_kds_point_lazy_dudley;
 
 // point_triangle.c
 extern const bmr_kds_info bmr_kds_triangle_levels_compass, bmr_kds_triangle_levels_dudley;
-extern const bmr_kds_info bmr_kds_triangle_binary_compass, bmr_kds_triangle_binary_dudley;
+extern const bmr_kds_info bmr_kds_triangle_binary_dudley;
 
 // closest_features.c, inner_tangent.c, separating_edge.c
-extern const bmr_kds_info bmr_kds_closest_features, bmr_kds_inner_tangent;
-extern const bmr_kds_info bmr_kds_separating_edge, bmr_kds_separating_edge_walk;
+extern const bmr_kds_info bmr_kds_closest_features, bmr_kds_inner_tangent, bmr_kds_separating_edge_walk;
 
 // point_inflated.c, point_complex.c
-extern const bmr_kds_info bmr_kds_point_inflated_compass, bmr_kds_point_inflated_dudley;
-extern const bmr_kds_info bmr_kds_point_inflated_slack, bmr_kds_point_complex;
+extern const bmr_kds_info bmr_kds_point_inflated_compass, bmr_kds_point_inflated_dudley,
+    bmr_kds_point_complex;
 
 // lazy.c
-extern const bmr_kds_info bmr_kds_lazy_compass, bmr_kds_lazy_dudley, bmr_kds_lazy_dobkin_kirkpatrick;
+extern const bmr_kds_info bmr_kds_lazy_compass, bmr_kds_lazy_dudley;
 
 // sum.c
-extern const bmr_kds_info bmr_kds_sum_triangle_compass, bmr_kds_sum_triangle_dudley;
-extern const bmr_kds_info bmr_kds_sum_lazy_compass, bmr_kds_sum_lazy_dudley, bmr_kds_sum_inflated_compass;
+extern const bmr_kds_info bmr_kds_sum_triangle_dudley;
 
 #endif

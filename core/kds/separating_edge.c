@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rival that keeps a separating edge of one polygon at full resolution and the vertex of the other that
-// is nearest to its line; on failure the edge of largest slack is taken. Theta(n) events under translation,
-// Theta(n^2) under rotation, however far the polygons are apart.
+// is nearest to its line; on failure it walks to the next edge that separates. Theta(n) events under
+// translation, Theta(n^2) under rotation, however far the polygons are apart.
 #include <math.h>
 
 #include "geometry/distance.h"
@@ -213,7 +213,7 @@ static bool choose(bmr_kds *kds, const bmr_instant *now, bool afresh, unsigned *
     situation at;
     if (!look(kds, now, &at))
         return false;
-    if (afresh || !view(kds)->is_edge || kds->info == &bmr_kds_separating_edge)
+    if (afresh || !view(kds)->is_edge)
         pick_best(kds, &at, touched);
     else
         walk_on(kds, &at, touched);
@@ -295,11 +295,6 @@ static const bmr_kds_class implementation = {.state_bytes = sizeof(separating_ed
                                              .repair = repair,
                                              .proof = proof,
                                              .audit = audit};
-
-BMR_KDS_INFO(separating_edge, .name = "separating-edge",
-             .title = "rival: separating edge of most slack, full resolution", .section = "5, introduction",
-             .domain = BMR_KDS_RIGID, .role = BMR_KDS_RIVAL, .hierarchy = -1,
-             .implementation = &implementation);
 
 BMR_KDS_INFO(separating_edge_walk, .name = "separating-edge-walk",
              .title = "rival: separating edge, full resolution", .section = "5, introduction",

@@ -64,5 +64,8 @@ double bmr_kds_separation(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 d
 /// for an answer k edges from the hints.
 bool bmr_kds_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t *a, uint32_t *b,
                      bmr_vec2 *direction, double *distance);
+/// bmr_cone_end for the pair: an end of the directions that separate by `least`. O(log n).
+bmr_vec2 bmr_kds_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 inside, double least, int side,
+                          const uint32_t support[2]);
 
 #endif

@@ -9,12 +9,15 @@
 //   two-lines  both lines are made at a repair. The free direction is watched. When it fails and the coarse
 //              line stands, that is watched (a handover); when that fails, or did not stand, comes the next
 //              repair. As one certificate it is "one line or the other".
+//   free-fd2   the free direction alone (two corners): the control, which has more events on convex paths.
 //   coarse     the coarse line alone: the control, which has no hysteresis.
+#include <stddef.h>
+
 #include "kds/coarse_line.h"
 #include "kds/free_direction.h"
 #include "kds/registry.h"
 
-typedef enum line_rule { RULE_HYBRID, RULE_TWO_LINES, RULE_COARSE } line_rule;
+typedef enum line_rule { RULE_HYBRID, RULE_TWO_LINES, RULE_FREE, RULE_COARSE } line_rule;
 
 typedef struct line_class {
     bmr_kds_class class; ///< first: an info's implementation is a pointer to it
@@ -23,9 +26,10 @@ typedef struct line_class {
 
 typedef struct line_state {
     bmr_windowed_line now;
-    bmr_windowed_line spare; ///< two-lines, while `now` is the free direction: the coarse line
-    bool has_spare;
     int8_t spin; ///< the way B turns in A's frame, as far as known
+    bool has_spare;
+    bmr_windowed_line spare; ///< two-lines, while `now` is the free direction: the coarse line; last, as the
+                             ///< others have no room for it
 } line_state;
 
 static line_rule rule_of(const bmr_kds *kds) {
@@ -101,14 +105,20 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     return true;
 }
 
-#define LINE_CLASS(rule)                                                                                     \
-    { {BMR_WINDOWED_CLASS(line_state, start, repair)}, rule }
-static const line_class hybrid = LINE_CLASS(RULE_HYBRID), two_lines = LINE_CLASS(RULE_TWO_LINES),
-                        coarse = LINE_CLASS(RULE_COARSE);
+typedef unsigned char one_line_state[offsetof(line_state, spare)];
+
+#define LINE_CLASS(state, rule)                                                                              \
+    { {BMR_WINDOWED_CLASS(state, start, repair)}, rule }
+static const line_class hybrid = LINE_CLASS(one_line_state, RULE_HYBRID),
+                        two_lines = LINE_CLASS(line_state, RULE_TWO_LINES),
+                        free_fd2 = LINE_CLASS(one_line_state, RULE_FREE),
+                        coarse = LINE_CLASS(one_line_state, RULE_COARSE);
 
 BMR_KDS_INFO(hybrid, "hybrid", "Free direction; very near, the coarse line", "7, the open question",
              BMR_KDS_RIGID, BMR_KDS_RECOMMENDED, -1, &hybrid);
 BMR_KDS_INFO(two_lines, "two-lines", "Free direction, then the coarse line", "7, the open question",
              BMR_KDS_RIGID, BMR_KDS_CONTROL, -1, &two_lines);
+BMR_KDS_INFO(free_fd2, "free-fd2", "Free direction, two corners", "7, the open question", BMR_KDS_RIGID,
+             BMR_KDS_CONTROL, -1, &free_fd2);
 BMR_KDS_INFO(coarse, "coarse", "The coarse line alone", "7, the open question", BMR_KDS_RIGID,
              BMR_KDS_CONTROL, -1, &coarse);

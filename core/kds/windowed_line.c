@@ -151,11 +151,11 @@ static void lengthen(run *r, int side) {
     }
 }
 
-static void take_window(bmr_windowed_line *w, const bmr_window *window, int corners) {
-    w->count = (uint8_t)corners;
+static void take_window(bmr_windowed_line *w, const bmr_window *window) {
+    w->count = 2;
     w->low = window->low;
     w->high = window->high;
-    for (int i = 0; i < corners; ++i)
+    for (int i = 0; i < 2; ++i)
         w->point[i] = window->corner[i];
 }
 
@@ -199,7 +199,7 @@ void bmr_windowed_exact(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose
     bmr_window window;
     bmr_window_make(p, d, v, FLAT_PART * p->extent, 0, &window);
     bmr_kds_tally(kds, window.steps);
-    take_window(w, &window, 2);
+    take_window(w, &window);
 }
 
 double bmr_windowed_life(const bmr_windowed_line *w, const bmr_pose *b_in_a, int sense) {
@@ -222,8 +222,8 @@ double bmr_windowed_time(const bmr_windowed_line *w, const bmr_kds *kds, const b
     return time;
 }
 
-void bmr_windowed_corners(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *b_in_a, int corners,
-                          double limit, int sense) {
+void bmr_windowed_corners(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *b_in_a, double limit,
+                          int sense) {
     bmr_windowed_exact(w, kds, b_in_a, sense);
     if (!has_bracket(w))
         return;
@@ -231,10 +231,7 @@ void bmr_windowed_corners(bmr_windowed_line *w, const bmr_kds *kds, const bmr_po
     const bmr_polygon *p = kds->shapes[other].polygon;
     const bmr_vec2 d = facing(w, b_in_a);
     bmr_window window;
-    if (corners == 1)
-        bmr_window_make_one(p, d, w->support[other], limit, sense, &window);
-    else
-        bmr_window_make(p, d, w->support[other], limit, sense, &window);
+    bmr_window_make(p, d, w->support[other], limit, sense, &window);
     bmr_kds_tally(kds, window.steps);
     const double exact = bmr_windowed_life(w, b_in_a, sense);
     // The exact window is kept only if it is also at least as wide against the sense of turning: the body may
@@ -244,7 +241,7 @@ void bmr_windowed_corners(bmr_windowed_line *w, const bmr_kds *kds, const bmr_po
     if ((!(window.life < exact) && steady) || !(bmr_cross(window.low, d) > INSIDE) ||
         !(bmr_cross(d, window.high) > INSIDE))
         return;
-    take_window(w, &window, corners);
+    take_window(w, &window);
 }
 
 double bmr_windowed_least(const bmr_kds *kds) {

@@ -67,10 +67,10 @@ void bmr_windowed_line_set(bmr_windowed_line *w, const bmr_kds *kds, const bmr_p
 /// the one known. O(1) when that is near, else O(log n).
 void bmr_windowed_exact(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *b_in_a, int sense);
 
-/// By one or two corners of tangents: bmr_window_make's, a bracket that may cost `limit`. Where the polygon's
+/// By two corners of tangents: bmr_window_make's, a bracket that may cost `limit`. Where the polygon's
 /// own vertices do better, or the bracket would be lost in rounding: the exact window.
-void bmr_windowed_corners(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *b_in_a, int corners,
-                          double limit, int sense);
+void bmr_windowed_corners(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *b_in_a, double limit,
+                          int sense);
 
 /// Sets the bracket, of less than half a turn: an end that is farther than a right angle from the direction
 /// comes in to there. `low` and `high` (unit, other's frame) are less than three right angles from it, on

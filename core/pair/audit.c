@@ -78,6 +78,14 @@ static bmr_error audit_free(const bmr_pair *pair, const bmr_shape *owner, const 
     return BMR_OK;
 }
 
+/// The coarse line of two-lines is an edge's, or an axis's, and of the body that the pair says.
+static bmr_error audit_coarse(const bmr_pair *pair, const bmr_polygon *a, const bmr_polygon *b) {
+    bmr_coarse spare;
+    const bool is_line = bmr_spare_line(pair, a, b, &spare) && spare.owner == pair->owner &&
+                         near(pair->certificate.normal, spare.normal, 1.0);
+    return is_line ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
+}
+
 bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a,
                          const bmr_shape *b, const bmr_pose *b_in_a) {
     if (!pair || !def || !a || !b || !b_in_a)
@@ -103,7 +111,11 @@ bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bm
     const bmr_structure structure = bmr_pair_structure(def, a, b);
     if (pair->structure != structure)
         return BMR_ERROR_INVALID_STRUCTURE;
-    if (structure == BMR_FREE_DIRECTION)
-        return pair->level == 0 ? audit_free(pair, owner, other) : BMR_ERROR_INVALID_STRUCTURE;
+    if (structure >= BMR_FREE_DIRECTION && pair->level != 0)
+        return BMR_ERROR_INVALID_STRUCTURE;
+    if (structure == BMR_TWO_LINES && !pair->free && audit_coarse(pair, a->polygon, b->polygon) != BMR_OK)
+        return BMR_ERROR_INVALID_STRUCTURE;
+    if (structure >= BMR_FREE_DIRECTION)
+        return audit_free(pair, owner, other);
     return pair->free ? audit_free(pair, owner, other) : audit_lazy(pair, owner, other, other_in_owner);
 }

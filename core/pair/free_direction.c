@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The free-direction structure, for the open question of the paper's section 7. At an event the closest
-// direction is fixed in one of the two bodies; the other is represented by a window of two corners that stays
-// an outer bound while the direction turns within a bracket. Needs only the two sorted polygons and the
-// pair's cache line.
+// The free-direction structure and two-lines, for the open question of the paper's section 7. At an event the
+// closest direction is fixed in one of the two bodies; the other is represented by a window of two corners
+// that stays an outer bound while the direction turns within a bracket. Two-lines also remembers the coarse
+// line of that moment (certificate/coarse.h), as one number. When the free direction fails and the coarse
+// line separates, the pair takes that, with the other body's nearest vertex and that vertex's cone for a
+// window (a handover). When the coarse line fails, too, both are made anew. Both structures need only the two
+// sorted polygons and the pair's cache line.
 #include "certificate/window.h"
 #include "pair/step.h"
 
@@ -13,6 +16,10 @@
 
 /// The finest level there is: the polygons themselves.
 #define LEVEL_POLYGONS 0
+
+/// other_after of two-lines: an edge, or BMR_COARSE_AXIS and an axis, and this bit if it is B's.
+#define SPARE_OF_B UINT32_C(0x80000000)
+#define NO_SPARE (SPARE_OF_B - 1)
 
 int bmr_free_spin(const bmr_pair *pair, const bmr_pose *b_in_a) {
     const bmr_certificate *k = &pair->certificate;
@@ -40,7 +47,8 @@ static bool certify_with(bmr_step *step, const bmr_closest *closest, int owner, 
     pair->owner = (uint8_t)owner;
     pair->edge = support[owner];
     pair->other = support[1 - owner];
-    pair->other_after = support[1 - owner];
+    if (pair->structure != BMR_TWO_LINES)
+        pair->other_after = support[1 - owner];
     // Not level -1, whatever it was: the look at it must be at a line.
     pair->level = LEVEL_POLYGONS;
     return bmr_step_holds(step, step->need, gap);
@@ -59,6 +67,61 @@ bool bmr_free_certify(bmr_step *step, const bmr_closest *closest, double *gap) {
     const int owner = of_a.life < of_b.life ? 1 : 0;
     step->steps += of_a.steps + of_b.steps;
     return certify_with(step, closest, owner, owner == 0 ? &of_b : &of_a, gap);
+}
+
+bool bmr_spare_line(const bmr_pair *pair, const bmr_polygon *a, const bmr_polygon *b, bmr_coarse *spare) {
+    spare->owner = (pair->other_after & SPARE_OF_B) != 0;
+    spare->edge = pair->other_after & ~SPARE_OF_B;
+    return bmr_coarse_normal(spare->owner == 0 ? a : b, spare->edge, &spare->normal);
+}
+
+/// The coarse line at the step's pose becomes the pair's spare.
+static void remember_coarse(bmr_step *step, const bmr_closest *closest) {
+    const uint32_t support[2] = {closest->a, closest->b};
+    bmr_coarse coarse;
+    const bool found = bmr_coarse_pick(step->shapes[0]->polygon, step->shapes[1]->polygon, step->pose,
+                                       closest->direction, step->reach, support, &coarse, &step->steps);
+    step->pair->other_after = found ? coarse.edge | (coarse.owner == 1 ? SPARE_OF_B : 0) : NO_SPARE;
+}
+
+/// Its nearest vertex stands for a body while the direction is in that vertex's cone.
+static bmr_window window_of_vertex(const bmr_polygon *p, uint32_t v) {
+    bmr_window window = {{p->vertices[v], p->vertices[v]}, {0.0, 0.0}, {0.0, 0.0}, -2.0, 0};
+    if (p->count == 2)
+        window.corner[1] = p->vertices[1 - v];
+    if (p->count > 2) {
+        window.low = bmr_polygon_normal(p, v > 0 ? v - 1 : p->count - 1);
+        window.high = bmr_polygon_normal(p, v);
+    }
+    return window;
+}
+
+/// From the free direction, which failed, to the coarse line of the last repair. False: that does not
+/// separate here, and the pair is as before.
+static bool hand_over(bmr_step *step, double *gap) {
+    bmr_pair *pair = step->pair;
+    const bmr_pair before = *pair;
+    const bmr_polygon *const p[2] = {step->shapes[0]->polygon, step->shapes[1]->polygon};
+    bmr_coarse spare;
+    if (!pair->free || !bmr_spare_line(pair, p[0], p[1], &spare))
+        return false;
+    const bool same = spare.owner == pair->owner;
+    const uint32_t hint[2] = {same ? pair->edge : pair->other, same ? pair->other : pair->edge};
+    const int owner = spare.owner;
+    const bmr_vec2 direction = owner == 0 ? spare.normal : bmr_neg(bmr_rotate(step->pose, spare.normal));
+    const bmr_vec2 facing = owner == 0 ? bmr_unrotate(step->pose, bmr_neg(direction)) : bmr_neg(direction);
+    bmr_closest at = {direction, 0.0, 0, 0};
+    const uint32_t own = bmr_support_near(p[owner], spare.normal, hint[0], &step->steps),
+                   other = bmr_support_near(p[1 - owner], facing, hint[1], &step->steps);
+    at.a = owner == 0 ? own : other;
+    at.b = owner == 0 ? other : own;
+    const bmr_window window = window_of_vertex(p[1 - owner], other);
+    if (!certify_with(step, &at, owner, &window, gap)) {
+        *pair = before;
+        return false;
+    }
+    pair->free = 0;
+    return true;
 }
 
 static bmr_event_kind kind_of(bmr_failure failure) {
@@ -97,10 +160,16 @@ bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap) {
     bmr_pair *pair = step->pair;
     const int level_before = failure == BMR_FAILURE_NEW ? BMR_LEVEL_DISKS : pair->level;
     bmr_simplex simplex = start_of(pair, failure);
+    const bool two = pair->structure == BMR_TWO_LINES,
+               failed = failure == BMR_FAILURE_ROLLED || failure == BMR_FAILURE_CROSSED;
     if (failure == BMR_FAILURE_ROLLED)
         pair->spin = bmr_free_spin(pair, step->pose) > 0 ? 1 : -1;
     if (failure == BMR_FAILURE_NEW && bmr_disks_certify(step, step->need, gap)) {
         bmr_step_tell(step, BMR_EVENT_START, level_before, BMR_LEVEL_DISKS, *gap);
+        return BMR_APART;
+    }
+    if (two && failed && hand_over(step, gap)) {
+        bmr_step_tell(step, BMR_EVENT_HANDOVER, level_before, LEVEL_POLYGONS, *gap);
         return BMR_APART;
     }
     bmr_closest closest;
@@ -108,6 +177,10 @@ bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap) {
         return bmr_contact_enter(step, &simplex, LEVEL_POLYGONS);
     pair->state = BMR_PAIR_APART;
     pair->level = LEVEL_POLYGONS;
+    if (two) {
+        pair->free = 1;
+        remember_coarse(step, &closest);
+    }
     bmr_step_tell(step, kind_of(failure), level_before, LEVEL_POLYGONS, *gap);
     const double coarse = step->need + BMR_COARSEN_PART * (*gap - step->need);
     if (bmr_disks_certify(step, coarse, gap))

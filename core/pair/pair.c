@@ -17,10 +17,10 @@ const char *bmr_structure_name(bmr_structure structure) {
         return "lazy-compass";
     case BMR_LAZY_DUDLEY:
         return "lazy-dudley";
-    case BMR_LAZY_DOBKIN_KIRKPATRICK:
-        return "lazy-dobkin-kirkpatrick";
     case BMR_FREE_DIRECTION:
         return "free-direction";
+    case BMR_TWO_LINES:
+        return "two-lines";
     case BMR_STRUCTURE_COUNT:
         break;
     }
@@ -43,6 +43,8 @@ const char *bmr_event_name(bmr_event_kind kind) {
         return "contact";
     case BMR_EVENT_LEAVE:
         return "leave";
+    case BMR_EVENT_HANDOVER:
+        return "handover";
     case BMR_EVENT_KIND_COUNT:
         break;
     }
@@ -102,19 +104,19 @@ bmr_answer bmr_contact_enter(bmr_step *step, const bmr_simplex *simplex, int lev
 }
 
 _Static_assert((int)BMR_LAZY_COMPASS == (int)BMR_HIERARCHY_COMPASS &&
-                   (int)BMR_LAZY_DUDLEY == (int)BMR_HIERARCHY_DUDLEY &&
-                   (int)BMR_LAZY_DOBKIN_KIRKPATRICK == (int)BMR_HIERARCHY_DOBKIN_KIRKPATRICK,
+                   (int)BMR_LAZY_DUDLEY == (int)BMR_HIERARCHY_DUDLEY,
                "a lazy structure has the number of its hierarchy");
 _Static_assert(BMR_STRUCTURE_COUNT <= 4, "a pair has two bits for its structure");
 
 /// Has the shape a hierarchy that this structure can walk on?
 static bool walks(const bmr_shape *shape, bmr_structure structure) {
-    const bmr_hierarchy *h =
-        (unsigned)structure < BMR_HIERARCHY_KIND_COUNT ? shape->hierarchies[structure] : NULL;
+    const bmr_hierarchy *h = (unsigned)structure < BMR_FREE_DIRECTION ? shape->hierarchies[structure] : NULL;
     return h && bmr_tree_is_of(h, (int)structure, shape->polygon);
 }
 
 bmr_structure bmr_pair_structure(const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b) {
+    if (def->structure == BMR_TWO_LINES)
+        return BMR_TWO_LINES;
     return walks(a, def->structure) && walks(b, def->structure) ? def->structure : BMR_FREE_DIRECTION;
 }
 
@@ -155,7 +157,7 @@ static bool remembers_what_is_there(const bmr_pair *pair, const bmr_shape *a, co
     if (pair->level == BMR_LEVEL_DISKS)
         return true;
     const bmr_shape *owner = pair->owner == 0 ? a : b, *other = pair->owner == 0 ? b : a;
-    if (pair->structure == BMR_FREE_DIRECTION || pair->free)
+    if (pair->structure >= BMR_FREE_DIRECTION || pair->free)
         return pair->edge < owner->polygon->count && pair->other < other->polygon->count;
     const bmr_hierarchy *const hierarchies[2] = {owner->hierarchies[pair->structure],
                                                  other->hierarchies[pair->structure]};
@@ -197,7 +199,7 @@ static bmr_answer repair(bmr_pair *pair, const bmr_pair_def *def, const bmr_shap
         step.need * (1.0 + NEED_LOSS) + BMR_CERTIFICATE_LOSS * (a->polygon->extent + b->polygon->extent);
     const bmr_failure failure = failure_of(pair, check);
     *gap = 0.0;
-    const bmr_answer answer = structure == BMR_FREE_DIRECTION ? bmr_free_repair(&step, failure, gap)
+    const bmr_answer answer = structure >= BMR_FREE_DIRECTION ? bmr_free_repair(&step, failure, gap)
                                                               : bmr_lazy_repair(&step, failure, gap);
     if (answer != BMR_APART)
         *gap = 0.0;

@@ -3,6 +3,7 @@
 #define BMR_PAIR_STEP_H
 
 #include "boomerang/pair.h"
+#include "certificate/coarse.h"
 #include "certificate/walk.h"
 #include "geometry/distance.h"
 
@@ -72,6 +73,9 @@ bool bmr_step_holds(const bmr_step *step, double need, double *gap);
 /// A line in the closest direction, fixed in the body that leaves the wider bracket, and a window of the
 /// other body. False: nothing that proves more than the need came of it. The pair's state is left alone.
 bool bmr_free_certify(bmr_step *step, const bmr_closest *closest, double *gap);
+/// The coarse line that a pair of two lines remembers in other_after, made of these polygons' edges. False:
+/// it has none.
+bool bmr_spare_line(const bmr_pair *pair, const bmr_polygon *a, const bmr_polygon *b, bmr_coarse *spare);
 /// Which way B turned when a certificate rolled.
 int bmr_free_spin(const bmr_pair *pair, const bmr_pose *b_in_a);
 

@@ -40,15 +40,15 @@ def counted(name, what, seconds, quote, check):
 
 
 SATURATION = """boomerang-testbed events orbit spin tumble rigid-algebraic --n 12 --ratios 100,1000,10000,100000 --no-optimum \\
-  --structures lazy-compass lazy-dudley active-cell-dudley free-fd2 hybrid two-lines separating-edge"""
-RIVALS = "boomerang-testbed events line tumble --structures rivals lazy-dudley hybrid predict --n 1024 --ratios 2,1000 --no-optimum"
+  --structures lazy-compass lazy-dudley active-cell-dudley free-fd2 hybrid two-lines"""
+RIVALS = "boomerang-testbed events line tumble --structures rivals lazy-dudley hybrid predict-adaptive --n 1024 --ratios 2,1000 --no-optimum"
 OPTIMUM = "boomerang-testbed events --structures rigid translation rivals --n 64 --ratios 128 --seeds 3"
 SPIN = """boomerang-testbed events spin --shape regular --n 1024 --seeds 1 --ratios 8,32,128,512,2048,8192 --no-optimum \\
-  --structures lazy-compass lazy-dudley active-cell-compass inflated-window free-fd1 free-fd2"""
+  --structures lazy-compass lazy-dudley active-cell-compass inflated-window free-fd2"""
 GROWTH = """boomerang-testbed events line parabola algebraic orbit rigid-algebraic tumble spin --n 1024 --ratios 8:131072 --no-optimum \\
   --structures active-cell-compass active-cell-dudley lazy-compass lazy-dudley inflated-window free-fd2"""
 GROWTH_OF_A_POINT = "boomerang-testbed events line parabola algebraic orbit --shape ellipse:point --structures points --n 1024 --ratios 8:131072 --no-optimum"
-NEAR = ("boomerang-testbed events line orbit zigzag spin rigid-algebraic tumble rigid-wander --structures free-fd2 hybrid two-lines lazy-dudley predict "
+NEAR = ("boomerang-testbed events line orbit zigzag spin rigid-algebraic tumble rigid-wander --structures free-fd2 hybrid two-lines lazy-dudley predict-adaptive "
         "--n 1024 --seeds 2 --ratios 131072 --no-optimum")
 RIGID = "BMR_TEST_SCALE=16 test_kinetic_rigid_search"
 STRUCTURES = "boomerang-testbed compare needles plates planks coins-gas coins-pile gears bullets pyramid --structure "

@@ -114,7 +114,7 @@ typedef struct edge_begin {
 } edge_begin;
 
 TEST(the_separating_edge_has_its_own_line_and_the_nearest_vertex) {
-    own_stage s = stage_of("separating-edge", regular(16), regular(16), 0.2);
+    own_stage s = stage_of("separating-edge-walk", regular(16), regular(16), 0.2);
     edge_begin *e = (edge_begin *)(void *)s.kds->state;
     assert_true(e->is_edge);
     const edge_begin right = *e;
@@ -129,7 +129,7 @@ TEST(the_separating_edge_has_its_own_line_and_the_nearest_vertex) {
 
 /// Between the ends of a bracket, where two points of the window tie, a vertex between them is farther.
 TEST(a_window_bounds_in_the_middle_of_its_bracket_too) {
-    own_stage s = stage_of("free-fd1", regular(16), regular(16), 0.2);
+    own_stage s = stage_of("free-fd2", regular(16), regular(16), 0.2);
     bmr_windowed_line *w = (bmr_windowed_line *)(void *)s.kds->state;
     const int other = 1 - w->owner;
     const bmr_polygon *p = s.kds->shapes[other].polygon;
@@ -172,8 +172,7 @@ TEST(sums_that_are_too_large_are_refused) {
 
 /// Nothing has failed, and nothing is repaired: the state stays as it was, to the bit.
 TEST(an_early_repair_of_a_windowed_line_changes_nothing) {
-    static const char *const names[] = {"free-fd1",  "free-fd2", "free-fdx",
-                                        "free-fdxa", "predict",  "inflated-translation"};
+    static const char *const names[] = {"free-fd2", "two-lines", "predict-adaptive", "inflated-translation"};
     for (size_t k = 0; k < sizeof names / sizeof *names; ++k) {
         own_stage s = stage_of(names[k], regular(24), regular(16), 0.2);
         const size_t bytes = bmr_kds_bytes(s.kds);
@@ -218,7 +217,13 @@ TEST(a_pair_is_audited_field_by_field) {
         pair.edge = 1000; // neither a vertex nor an edge
         assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &shape_b, &near), BMR_ERROR_INVALID_STRUCTURE);
         pair = right;
-        if (structure != BMR_FREE_DIRECTION) {
+        if (structure == BMR_TWO_LINES) {
+            pair.free = 0; // the coarse line is another one
+            assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &shape_b, &near),
+                             BMR_ERROR_INVALID_STRUCTURE);
+            pair = right;
+        }
+        if (structure < BMR_FREE_DIRECTION) {
             bmr_shape bare = shape_a;
             bare.hierarchies[structure] =
                 NULL; // as for another structure, which its next repair will make of it

@@ -157,7 +157,7 @@ TEST(an_event_of_a_translation_costs_the_logarithm_of_n_or_the_separation) {
 
 /// Free directions and the windows look at the whole polygons: the logarithm of n.
 TEST(an_event_of_a_free_direction_costs_the_logarithm_of_n) {
-    const char *const names[] = {"free-fd1", "free-fd2", "hybrid", "two-lines", "inflated-window"};
+    const char *const names[] = {"free-fd2", "hybrid", "two-lines", "inflated-window"};
     table tables[COUNT_OF(names)] = {0};
     fill(names, COUNT_OF(names), tables);
     for (size_t i = 0; i < COUNT_OF(names); ++i) {

@@ -56,7 +56,6 @@ typedef struct allowance {
 
 static const allowance points[] = {{"triangle-levels-compass", 20.0, 20.0},
                                    {"triangle-binary-dudley", 20.0, 20.0},
-                                   {"point-lazy-compass", 12.0, 15.0},
                                    {"point-lazy-dudley", 12.0, 15.0}};
 static const allowance pairs[] = {{"active-cell-compass", 200.0, 200.0},
                                   {"active-cell-dudley", 200.0, 200.0},

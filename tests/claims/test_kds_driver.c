@@ -141,19 +141,19 @@ static bmr_shape triangle_in_place(double width, const bmr_allocator *allocator)
 /// The hierarchy is kept while its polygon is freed and another made at the same address.
 TEST(a_hierarchy_of_a_polygon_that_is_no_more_is_refused) {
     const bmr_allocator one_place = {take_place, leave_place, NULL};
-    const bmr_kds_info *info = test_structure("lazy-dobkin-kirkpatrick");
+    const bmr_kds_info *info = test_structure("lazy-dudley");
     const bmr_kds_def def = bmr_default_kds_def();
     bmr_shape a = triangle_in_place(1.0, NULL), b = triangle_in_place(1.0, &one_place);
     own_hierarchy *of_a = NULL, *of_b = NULL;
-    assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(a.polygon, NULL, &of_a), BMR_OK);
-    assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(b.polygon, NULL, &of_b), BMR_OK);
-    a.hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK] = of_a;
+    assert_int_equal(bmr_hierarchy_build_dudley(a.polygon, NULL, &of_a), BMR_OK);
+    assert_int_equal(bmr_hierarchy_build_dudley(b.polygon, NULL, &of_b), BMR_OK);
+    a.hierarchies[BMR_HIERARCHY_DUDLEY] = of_a;
     // Of the second the old lines are support lines, up to rounding: the stamp alone tells.
     const double widths[] = {2.0, 1.0 + 0x1p-48, 1.0};
     for (int k = 0; k < 3; ++k) {
         const bool same = widths[k] == 1.0;
         b = triangle_in_place(widths[k], &one_place);
-        b.hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK] = of_b;
+        b.hierarchies[BMR_HIERARCHY_DUDLEY] = of_b;
         const bmr_error expected = same ? BMR_OK : BMR_ERROR_WRONG_HIERARCHY;
         assert_ptr_equal(bmr_hierarchy_polygon(of_b), b.polygon);
         assert_int_equal(bmr_hierarchy_audit(of_b), same ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE);

@@ -9,10 +9,6 @@
 #include "structure_named.h"
 #include "test_scale.h"
 
-/// All that fix the closest direction and have no loss while nothing turns.
-static const char *const names[] = {"free-fd1", "free-fd2", "free-fdx"};
-#define NAMES (sizeof names / sizeof *names)
-
 /// The vertices and the distance are double; slopes of the path near zero are not looked at.
 #define ROUNDING 1e-6
 #define LEAST_SLOPE 1e-7
@@ -120,15 +116,14 @@ static approach drive(const char *name, test_path_kind kind, size_t rounds, uint
 /// So the free direction has at most log2(D/sigma) + 6.3 events there.
 TEST(distance_times_slope_drops_to_a_quarter_on_convex_paths) {
     const test_path_kind convex[] = {TEST_PATH_LINE, TEST_PATH_PARABOLA};
-    for (size_t k = 0; k < NAMES; ++k)
-        for (size_t c = 0; c < 2; ++c) {
-            unsigned most;
-            const approach p = drive(names[k], convex[c], test_scaled(150), 3 + c, &most);
-            assert_true(p.pairs > 20);
-            assert_true(p.worst_sum <= 1.0 + ROUNDING);
-            assert_true(p.worst_product <= 0.25 + ROUNDING);
-            assert_true(p.worst_count <= COUNT_BEYOND_LOG);
-        }
+    for (size_t c = 0; c < 2; ++c) {
+        unsigned most;
+        const approach p = drive("free-fd2", convex[c], test_scaled(150), 3 + c, &most);
+        assert_true(p.pairs > 20);
+        assert_true(p.worst_sum <= 1.0 + ROUNDING);
+        assert_true(p.worst_product <= 0.25 + ROUNDING);
+        assert_true(p.worst_count <= COUNT_BEYOND_LOG);
+    }
 }
 
 /// The control: an orbit is not convex, and there each event is like the one before.
@@ -143,14 +138,12 @@ TEST(the_distance_left_is_at_most_the_place_times_the_sine) {
     const test_path_kind any[] = {TEST_PATH_CUBIC, TEST_PATH_ORBIT, TEST_PATH_WANDER};
     for (size_t c = 0; c < sizeof any / sizeof *any; ++c) {
         unsigned most;
-        for (size_t k = 0; k < NAMES; ++k) {
-            const approach p = drive(names[k], any[c], test_scaled(20), 21 + c, &most);
-            assert_true(p.worst_lemma > 0.5 && p.worst_lemma <= 1.0 + ROUNDING);
-        }
+        const approach p = drive("free-fd2", any[c], test_scaled(20), 21 + c, &most);
+        assert_true(p.worst_lemma > 0.5 && p.worst_lemma <= 1.0 + ROUNDING);
     }
-    // The control: a line that leans is none across the closest direction.
+    // The control: lines across other directions.
     unsigned most;
-    assert_true(drive("free-fdxa", TEST_PATH_ORBIT, 20, 21, &most).worst_lemma > 1.0 + 1e-3);
+    assert_true(drive("predict-adaptive", TEST_PATH_ORBIT, 20, 21, &most).worst_lemma > 1.0 + 1e-3);
 }
 
 #define PI 3.14159265358979323846
@@ -185,30 +178,24 @@ TEST(a_chain_costs_as_many_events_as_are_proved) {
     bmr_polygon *polygon = made_polygon(points, CHAIN + 3);
     own_kds_body a = test_kds_body_make(polygon), b = test_kds_point_make(0.0, 0.0);
     const test_path path = {.cubic = {{0.0, 1.0}, {way, -way}}};
-    for (size_t k = 0; k < NAMES; ++k) {
-        own_kds *kds = NULL;
-        const bmr_kds_def def = bmr_default_kds_def();
-        assert_int_equal(bmr_kds_create(test_structure(names[k]), &def, &a.shape, &b.shape, NULL, &kds),
-                         BMR_OK);
-        const test_drive d = {.path = &path};
-        const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &d);
-        assert_true(test_drive_is_sound(&r));
-        const approach p = {.a = a.polygon, .b = b.polygon};
-        const double bound = log2(ratio_of(&p, r.nearest));
-        const unsigned events = (unsigned)test_drive_events(&r);
-        assert_true(events >= CHAIN && events <= bound + COUNT_BEYOND_LOG);
-        assert_true(events > 0.5 * bound + 2.0); // what was measured on smooth shapes is no bound
-    }
+    const bmr_kds_def def = bmr_default_kds_def();
+    own_kds *kds = made_kds(test_structure("free-fd2"), &def, &a.shape, &b.shape);
+    const test_drive d = {.path = &path};
+    const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &d);
+    assert_true(test_drive_is_sound(&r));
+    const approach p = {.a = a.polygon, .b = b.polygon};
+    const double bound = log2(ratio_of(&p, r.nearest));
+    const unsigned events = (unsigned)test_drive_events(&r);
+    assert_true(events >= CHAIN && events <= bound + COUNT_BEYOND_LOG);
+    assert_true(events > 0.5 * bound + 2.0); // what was measured on smooth shapes is no bound
 }
 
 TEST(no_certificate_claims_more_than_the_separation) {
-    for (size_t k = 0; k < NAMES; ++k) {
-        unsigned most;
-        const approach p = drive(names[k], TEST_PATH_WANDER, test_scaled(20), 8, &most);
-        assert_true(p.worst_claim <= ROUNDING);
-        // It is exact at an event, up to rounding: a claim of much less would be no closest direction.
-        assert_true(p.worst_claim >= -ROUNDING);
-    }
+    unsigned most;
+    const approach p = drive("free-fd2", TEST_PATH_WANDER, test_scaled(20), 8, &most);
+    assert_true(p.worst_claim <= ROUNDING);
+    // It is exact at an event, up to rounding: a claim of much less would be no closest direction.
+    assert_true(p.worst_claim >= -ROUNDING);
 }
 
 /// What rotational hysteresis rests on, over all events of FD2 (gamma 0.3): the least slack over the gap, and
@@ -273,5 +260,5 @@ TEST(two_corners_leave_slack_and_room_on_both_sides) {
     assert_true(fd2.events > 100);
     assert_true(fd2.least_slack >= 1.0 - GAMMA - ROUNDING);
     assert_true(fd2.least_turn >= 1.0 - ROUNDING);
-    assert_true(hold_of("free-fdx").least_turn < 0.1); // the control: the body's own vertices
+    assert_true(hold_of("predict-adaptive").least_turn < 0.1); // the control: the body's own vertices
 }

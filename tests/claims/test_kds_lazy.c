@@ -5,7 +5,7 @@
 #include "motions.h"
 #include "structure_named.h"
 
-static const char *const names[] = {"lazy-compass", "lazy-dudley", "lazy-dobkin-kirkpatrick"};
+static const char *const names[] = {"lazy-compass", "lazy-dudley"};
 #define NAMES (sizeof names / sizeof *names)
 
 /// A coarser line proves at least this part of what the finer one does (lazy.c), for each level.

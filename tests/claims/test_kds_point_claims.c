@@ -107,8 +107,8 @@ static void compare_with_all_triangles(void *context, const test_drive_event *ev
 /// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
 TEST(the_active_triangle_is_the_one_of_brute_force) {
     const char *const names[] = {"triangle-levels-compass", "triangle-levels-dudley",
-                                 "triangle-binary-compass", "triangle-binary-dudley"};
-    for (int i = 0; i < 4; ++i) {
+                                 "triangle-binary-dudley"};
+    for (int i = 0; i < 3; ++i) {
         size_t compared = 0;
         for (uint64_t seed = 1; seed <= seeds(40); ++seed) {
             pass p = pass_make((test_family)(seed % TEST_FAMILY_COUNT), 48,
@@ -139,36 +139,34 @@ static void write_down(void *context, const test_drive_event *event) {
 /// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
 TEST(both_searches_find_the_same_triangles) {
     static record levels, binary;
-    const char *const names[2][2] = {{"triangle-levels-compass", "triangle-binary-compass"},
-                                     {"triangle-levels-dudley", "triangle-binary-dudley"}};
     bool dudley_differs = false;
     levels.most_steps = binary.most_steps = 0;
-    for (uint64_t seed = 1; seed <= seeds(20); ++seed)
-        for (int i = 0; i < 2; ++i) {
-            pass p = pass_make(TEST_ELLIPSE, 200, TEST_PATH_WANDER, 1e-3, seed);
-            p.on_event = write_down;
-            levels.count = binary.count = 0;
-            p.context = &levels;
-            drive(names[i][0], &p);
-            p.context = &binary;
-            drive(names[i][1], &p);
-            assert_int_equal(levels.count, binary.count);
-            assert_memory_equal(levels.edges, binary.edges, levels.count * sizeof *levels.edges);
-            binary.count = 0;
-            p.shares_chains = true;
-            drive(names[i][1], &p);
-            p.shares_chains = false;
-            assert_int_equal(levels.count, binary.count);
-            assert_memory_equal(levels.edges, binary.edges, levels.count * sizeof *levels.edges);
-            // The control: another hierarchy's triangles are others.
-            p.context = &binary;
-            binary.count = 0;
-            drive(names[1 - i][0], &p);
-            dudley_differs = dudley_differs || levels.count != binary.count;
-        }
+    for (uint64_t seed = 1; seed <= seeds(20); ++seed) {
+        pass p = pass_make(TEST_ELLIPSE, 200, TEST_PATH_WANDER, 1e-3, seed);
+        p.on_event = write_down;
+        levels.count = binary.count = 0;
+        p.context = &levels;
+        drive("triangle-levels-dudley", &p);
+        p.context = &binary;
+        drive("triangle-binary-dudley", &p);
+        assert_int_equal(levels.count, binary.count);
+        assert_memory_equal(levels.edges, binary.edges, levels.count * sizeof *levels.edges);
+        binary.count = 0;
+        p.shares_chains = true;
+        drive("triangle-binary-dudley", &p);
+        p.shares_chains = false;
+        assert_int_equal(levels.count, binary.count);
+        assert_memory_equal(levels.edges, binary.edges, levels.count * sizeof *levels.edges);
+        // The control: another hierarchy's triangles are others.
+        p.context = &binary;
+        binary.count = 0;
+        drive("triangle-levels-compass", &p);
+        dudley_differs = dudley_differs || levels.count != binary.count;
+    }
     assert_true(dudley_differs);
     printf("a stab: at most %u steps level by level, %u galloping\n", levels.most_steps, binary.most_steps);
-    assert_true(binary.most_steps <= levels.most_steps + 1);
+    // Doubling, then halving: twice the logarithm of what the other search takes.
+    assert_true(binary.most_steps <= 2.0 * log2(levels.most_steps) + 5.0);
 }
 
 /// Chains are of one hierarchy.

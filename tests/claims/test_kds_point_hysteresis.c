@@ -79,7 +79,7 @@ static hysteresis measured(const char *name, const bmr_kds_def *def, const test_
 /// less than that was measured anywhere: 0.60 of the distance. With a root of level 2 and offsets that shrink
 /// by 0.9 (beta towards 1) it is 0.97.
 TEST(a_point_moves_by_its_distance_over_beta_between_events) {
-    const char *const names[] = {"point-inflated-slack", "point-inflated-compass", "point-complex"};
+    const char *const names[] = {"point-inflated-compass", "point-complex"};
     const test_family round[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE};
     const test_family sharp[] = {TEST_LENS, TEST_TURNED_BOX, TEST_GRID, TEST_CLUSTER};
     const double beta = 2.0 * (1.0 + sqrt(2.0)), at_corner = 1.0 / (1.0 + sqrt(2.0));
@@ -87,7 +87,7 @@ TEST(a_point_moves_by_its_distance_over_beta_between_events) {
     bmr_kds_def tuned = plain;
     tuned.offset_ratio = 0.9;
     tuned.root_level = 2;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 2; ++i) {
         const hysteresis m = measured(names[i], &plain, round, 3), t = measured(names[i], &tuned, round, 3);
         const hysteresis s = measured(names[i], &plain, sharp, 4);
         assert_true(m.events > 10 * seeds(18) && t.events > 2 * seeds(18) && s.events > 10 * seeds(18));
@@ -99,7 +99,7 @@ TEST(a_point_moves_by_its_distance_over_beta_between_events) {
         assert_true(s.least_promise >= 1.0 - 1e-6);
     }
     // The control: the lazy structure has no hysteresis.
-    const hysteresis lazy = measured("point-lazy-compass", &plain, round, 3);
+    const hysteresis lazy = measured("point-lazy-dudley", &plain, round, 3);
     assert_true(lazy.least_move < 0.1 && lazy.least_promise < 0.1);
 }
 
@@ -158,8 +158,8 @@ static double looks_a_repair(const char *name, size_t n) {
 TEST(a_repair_looks_at_no_more_levels_of_a_larger_polygon) {
     const double few = looks_a_repair("point-inflated-compass", 64),
                  many = looks_a_repair("point-inflated-compass", 4096),
-                 few_from_top = looks_a_repair("point-inflated-slack", 64),
-                 many_from_top = looks_a_repair("point-inflated-slack", 4096);
+                 few_from_top = looks_a_repair("point-complex", 64),
+                 many_from_top = looks_a_repair("point-complex", 4096);
     printf("steps a repair, n = 64 and 4096: outwards %.1f and %.1f, over all levels %.1f and %.1f\n", few,
            many, few_from_top, many_from_top);
     assert_true(many <= 1.2 * few);

@@ -7,17 +7,9 @@
 #include "motions.h"
 #include "structure_named.h"
 
-static const char *const names[] = {"inflated-translation",
-                                    "inflated-window",
-                                    "hybrid",
-                                    "two-lines",
-                                    "coarse",
-                                    "free-fd1",
-                                    "free-fd2",
-                                    "free-fdx",
-                                    "free-fdxa",
-                                    "predict",
-                                    "predict-adaptive"};
+static const char *const names[] = {
+    "inflated-translation", "inflated-window", "hybrid", "two-lines", "coarse", "free-fd2",
+    "predict-adaptive"};
 #define NAMES (sizeof names / sizeof *names)
 
 static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_body *b) {
@@ -91,7 +83,7 @@ TEST(a_bracket_lasts_as_long_as_its_nearer_side) {
             for (int sense = -1; sense <= 1 && !w->fixed; sense += 2) {
                 bmr_windowed_line own = *w, corner = *w;
                 bmr_windowed_exact(&own, kds, &now.pose, sense);
-                bmr_windowed_corners(&corner, kds, &now.pose, 1, 0.01, sense);
+                bmr_windowed_corners(&corner, kds, &now.pose, 0.01, sense);
                 assert_true(
                     bmr_windowed_life(&corner, &now.pose, -1) <= bmr_windowed_life(&own, &now.pose, -1) ||
                     bmr_windowed_life(&corner, &now.pose, 1) <= bmr_windowed_life(&own, &now.pose, 1));

@@ -289,7 +289,7 @@ TEST(test_adversaries_cost_the_rivals_n_and_n_squared_at_any_separation) {
         assert_true(exponent_in_n(BMR_ADVERSARY_PASS, separation, "closest-features", &last) > 0.9);
         assert_true(exponent_in_n(BMR_ADVERSARY_PASS, separation, "inner-tangent", &last) > 0.9);
         // The control: a structure that is sensitive to separation does not care for n.
-        assert_true(exponent_in_n(BMR_ADVERSARY_PASS, separation, "free-fdx", &last) < 0.2);
+        assert_true(exponent_in_n(BMR_ADVERSARY_PASS, separation, "free-fd2", &last) < 0.2);
         assert_true(exponent_in_n(BMR_ADVERSARY_GEAR, separation, "closest-features", &last) > 1.8);
         assert_true(100 * (double)adversary_events(BMR_ADVERSARY_GEAR, 128, separation, "free-fd2") < last);
     }

@@ -13,8 +13,7 @@
 /// Of the optimum's cones (bmr_offline_optimum).
 #define RESOLUTION 0.02
 
-static const bmr_kds_info *const structures[] = {&bmr_kds_free_fd2, &bmr_kds_free_fdx, &bmr_kds_free_fdxa,
-                                                 &bmr_kds_predict, &bmr_kds_predict_adaptive};
+static const bmr_kds_info *const structures[] = {&bmr_kds_free_fd2, &bmr_kds_predict_adaptive};
 #define STRUCTURES (sizeof structures / sizeof *structures)
 
 /// Adds the lines that the optimum and the structures use on one motion, the first ones counted.
@@ -51,7 +50,5 @@ TEST(the_best_needs_at_most_twice_the_lines_of_the_optimum) {
     for (size_t k = 0; k < STRUCTURES; ++k)
         printf("%s %.3f\n", structures[k]->name, exp(mean[k]));
     assert_true(exp(mean[STRUCTURES - 1]) <= 2.0);
-    // Measured: 4.2 and 2.5. Whoever takes the closest direction does not get there.
-    assert_true(exp(mean[0]) > 3.0);
-    assert_true(exp(mean[1]) > 2.0);
+    assert_true(exp(mean[0]) > 3.0); // the closest direction, measured: 4.2
 }

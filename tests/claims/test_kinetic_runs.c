@@ -43,7 +43,7 @@ static double orbit_events(const char *name, size_t n, double ratio) {
 
 /// mu = min{n, sqrt(D / sigma)}: events grow with the square root until it reaches n, and then no more.
 TEST(test_orbits_saturate_when_mu_reaches_n) {
-    static const char *const names[] = {"lazy-dudley", "separating-edge", "free-fdx"};
+    static const char *const names[] = {"lazy-dudley", "hybrid", "two-lines"};
     for (size_t k = 0; k < 3; k++) {
         const double few_far = orbit_events(names[k], 12, 1e3), few_near = orbit_events(names[k], 12, 1e5);
         const double many_far = orbit_events(names[k], 512, 1e3),

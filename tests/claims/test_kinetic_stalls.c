@@ -53,7 +53,7 @@ static void follow(const stall *s) {
 TEST(sides_that_are_crossed_at_a_small_angle) {
     static const stall stalls[] = {
         {"active-cell-compass", BMR_FAMILY_ORBIT, BMR_OUTLINE_REGULAR, 64, 300000.0, 1},
-        {"tiling-compass", BMR_FAMILY_ORBIT, BMR_OUTLINE_REGULAR, 64, 300000.0, 1}};
+        {"tiling-dudley", BMR_FAMILY_ORBIT, BMR_OUTLINE_REGULAR, 64, 300000.0, 1}};
     for (size_t i = 0; i < sizeof stalls / sizeof *stalls; i++)
         follow(&stalls[i]);
 }

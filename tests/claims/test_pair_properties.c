@@ -194,7 +194,7 @@ TEST(the_audit_rejects_a_tampered_pair) {
                 if (one_point && other->count > 1)
                     REJECTED(4);
                 p = honest;
-                const bool lazy = structure != BMR_FREE_DIRECTION && !honest.free;
+                const bool lazy = structure < BMR_FREE_DIRECTION && !honest.free;
                 if (!lazy) {
                     p.edge = own->count;
                     REJECTED(5);

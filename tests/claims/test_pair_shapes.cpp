@@ -25,7 +25,7 @@ struct Body : test_kds_body {
     /// What the structure names; nothing for the free direction.
     bmr_shape Shape(int structure) const {
         bmr_shape named = {polygon, {}, {}};
-        if (structure != BMR_FREE_DIRECTION)
+        if (structure < BMR_FREE_DIRECTION)
             named.hierarchies[structure] = hierarchies[structure];
         return named;
     }
@@ -66,8 +66,10 @@ double Distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose &pose
 
 /// What is to keep such a pair.
 bmr_structure Structure(const bmr_pair_def &def, const bmr_shape &a, const bmr_shape &b) {
+    if (def.structure == BMR_TWO_LINES)
+        return BMR_TWO_LINES;
     for (const bmr_shape *shape : {&a, &b}) {
-        if (static_cast<int>(def.structure) >= BMR_HIERARCHY_KIND_COUNT)
+        if (static_cast<int>(def.structure) >= BMR_FREE_DIRECTION)
             return BMR_FREE_DIRECTION;
         const bmr_hierarchy *hierarchy = shape->hierarchies[def.structure];
         if (hierarchy == nullptr || bmr_hierarchy_polygon(hierarchy) != shape->polygon ||

@@ -58,7 +58,7 @@ static void check_event(void *context, const bmr_event *event) {
     trace *t = context;
     const bmr_pair *now = event->pair, *was = &t->before;
     const double slop = BMR_PAIR_SLOP * (t->a.polygon->extent + t->b.polygon->extent) + STEP;
-    const bool lazy = t->def.structure != BMR_FREE_DIRECTION;
+    const bool lazy = t->def.structure < BMR_FREE_DIRECTION;
     double gap = 0.0;
     ++t->seen[event->kind];
     if (t->shown && now->state == BMR_PAIR_APART && now->level != BMR_LEVEL_DISKS)
@@ -111,6 +111,11 @@ static void check_event(void *context, const bmr_event *event) {
     case BMR_EVENT_LEAVE:
         assert_int_equal(was->state, BMR_PAIR_CONTACT);
         assert_true(test_distance(t->a.polygon, t->b.polygon, event->pose) > 0.0);
+        break;
+    case BMR_EVENT_HANDOVER: // the free direction failed, and the coarse line separates
+        assert_true(was->free && !now->free);
+        assert_int_equal(now->other_after, was->other_after); // the line that was remembered at the repair
+        assert_true(look(was, event->pose, &gap) != BMR_CHECK_HOLDS && event->gap > 0.0);
         break;
     case BMR_EVENT_KIND_COUNT:
     default:
@@ -167,7 +172,9 @@ TEST(every_event_of_a_pass_is_what_its_name_says) {
         }
         for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind) {
             assert_int_equal(counters.events[kind], t.seen[kind]); // counted and told alike
-            assert_true(t.seen[kind] > 0 || (s == BMR_FREE_DIRECTION && kind == BMR_EVENT_PUSH));
+            const bool other = kind == BMR_EVENT_HANDOVER && s != BMR_TWO_LINES;
+            assert_int_equal(other && t.seen[kind] > 0, false);
+            assert_true(t.seen[kind] > 0 || other || (s >= BMR_FREE_DIRECTION && kind == BMR_EVENT_PUSH));
         }
         assert_int_equal(t.seen[BMR_EVENT_START], 1);
         assert_int_equal(t.seen[BMR_EVENT_CONTACT], t.seen[BMR_EVENT_LEAVE]);

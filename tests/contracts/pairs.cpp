@@ -79,7 +79,7 @@ std::string CreateKds(const Given &g) {
     def.alpha = g[5];
     def.offset_ratio = g[6];
     def.window_part = g[7];
-    const char *name = g[0] == 2.0 ? "point-lazy-compass" : "lazy-dudley";
+    const char *name = g[0] == 2.0 ? "point-lazy-dudley" : "lazy-dudley";
     bmr_kds *made = nullptr;
     const bmr_error error =
         bmr_kds_create(g.Or(0, test_structure(name)), &def, &shape, &shape, nullptr, g.Or(8, &made));
@@ -118,7 +118,7 @@ const Table kStructures("boomerang/kds.h", [] {
     Refuses("bmr_kds_find", {{"name", kNotNull + Says("UNKNOWN_NAME", {{"none", 2}})}, {"result", kNotNull}},
             [](const Given &g) {
                 const bmr_kds_info *info = nullptr;
-                const bmr_error error = bmr_kds_find(g.Or(0, g[0] == 2.0 ? "" : "predict"), g.Or(1, &info));
+                const bmr_error error = bmr_kds_find(g.Or(0, g[0] == 2.0 ? "" : "hybrid"), g.Or(1, &info));
                 return Said(error, info != nullptr);
             });
     Refuses("bmr_kds_create",

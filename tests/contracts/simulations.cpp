@@ -58,7 +58,7 @@ bmr_shape TheShape() {
 std::string CreateSimulation(const Given &g) {
     const MovingPair &pair = ThePair();
     bmr_simulation_def def = bmr_default_simulation_def();
-    def.structure = g.Or(0, test_structure("free-fd1"));
+    def.structure = g.Or(0, test_structure("free-fd2"));
     def.contact_step = g[3];
     def.failure.tolerance = g[4];
     def.kds.margin = g[5];
@@ -79,7 +79,7 @@ std::string CreateSimulation(const Given &g) {
 /// What a simulation says at time 1; and it goes on as before.
 std::string Running(const std::function<bmr_error(bmr_simulation *)> &ask) {
     bmr_simulation_def def = bmr_default_simulation_def();
-    def.structure = test_structure("free-fd1");
+    def.structure = test_structure("free-fd2");
     const bmr_shape shapes[] = {TheShape(), TheShape()};
     bmr_motion *const motions[] = {ThePair().rest, ThePair().comes};
     bmr_simulation *made = nullptr;
@@ -127,7 +127,7 @@ const Table kSimulations("boomerang/simulation.h", [] {
 
 bmr_error OpenWorld(const bmr_allocator *allocator, bmr_world **made) {
     bmr_world_def def = bmr_default_world_def();
-    def.structure = test_structure("free-fd1");
+    def.structure = test_structure("free-fd2");
     def.boundary = BMR_WALLED;
     def.low = {-30.0, -30.0};
     def.high = {30.0, 30.0};
@@ -136,7 +136,7 @@ bmr_error OpenWorld(const bmr_allocator *allocator, bmr_world **made) {
 
 std::string CreateWorld(const Given &g) {
     bmr_world_def def = bmr_default_world_def();
-    def.structure = g.Or(0, test_structure(g[0] == 2.0 ? "point-lazy-dudley" : "free-fd1"));
+    def.structure = g.Or(0, test_structure(g[0] == 2.0 ? "point-lazy-dudley" : "free-fd2"));
     def.kds.margin = g[2];
     def.response.restitution = g[3];
     def.boundary = g[5] != 10.0 ? BMR_PERIODIC : BMR_WALLED;
@@ -318,7 +318,7 @@ const Table kWorlds("boomerang/world.h", [] {
 
 std::string RunCourse(const Given &g) {
     bmr_run_def def = {};
-    def.structure = test_structure("free-fd1");
+    def.structure = test_structure("free-fd2");
     def.shapes[0] = def.shapes[1] = TheShape();
     def.simulation = bmr_default_simulation_def();
     const MovingPair &pair = ThePair();

@@ -165,8 +165,6 @@ test_body test_body_make(bmr_polygon *polygon, bmr_structure structure) {
         error = bmr_hierarchy_build_compass(polygon, shared_compass(), NULL, &body.hierarchy);
     if (error == BMR_OK && structure == BMR_LAZY_DUDLEY)
         error = bmr_hierarchy_build_dudley(polygon, NULL, &body.hierarchy);
-    if (error == BMR_OK && structure == BMR_LAZY_DOBKIN_KIRKPATRICK)
-        error = bmr_hierarchy_build_dobkin_kirkpatrick(polygon, NULL, &body.hierarchy);
     if (error != BMR_OK)
         abort();
     return body;

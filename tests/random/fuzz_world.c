@@ -241,7 +241,7 @@ static void run(script *s, const uint8_t *data, size_t size, bool all_pairs) {
     s->boundary = s->wild ? BMR_OPEN : (bmr_boundary)(how % 3);
     s->size = 6.0;
     bmr_world_def def = bmr_default_world_def();
-    static const char *const structures[] = {"hybrid", "predict"};
+    static const char *const structures[] = {"hybrid", "predict-adaptive"};
     FUZZ_CHECK(bmr_kds_find(structures[how / 3 % 2], &def.structure) == BMR_OK, "a structure");
     def.boundary = s->boundary;
     def.low = bmr_vec2_make(-s->size, -s->size);

@@ -39,10 +39,9 @@ typedef enum bmr_kds_domain {
 
 /// The role of a structure.
 typedef enum bmr_kds_role {
-    /// Take one of these. For a point: point-lazy-dudley, and point-inflated-slack if events shall be far
-    /// apart. For two polygons: lazy-dudley, the paper's own; hybrid, which needs no hierarchy and has
-    /// hysteresis; predict, which has the fewest lines if the rates are known, but Theta(n) events where
-    /// bodies turn, however far apart. With hysteresis, on hierarchies: inflated-translation,
+    /// Take one of these. For a point: point-lazy-dudley. For two polygons: lazy-dudley, the paper's own;
+    /// hybrid,
+    /// which needs no hierarchy and has hysteresis. With hysteresis, on hierarchies: inflated-translation,
     /// inflated-window.
     BMR_KDS_RECOMMENDED,
     /// As right as those, but another one does the same for less. For comparison: the structures that lead to

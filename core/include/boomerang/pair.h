@@ -37,21 +37,26 @@ typedef enum bmr_structure {
     /// themselves, if the gap is within a factor of sqrt(2) of the margin, the closest direction replaces the
     /// edge.)
     BMR_LAZY_COMPASS,
-    BMR_LAZY_DUDLEY, ///< the same on Dudley hierarchies
-    BMR_LAZY_DOBKIN_KIRKPATRICK,
+    BMR_LAZY_DUDLEY,    ///< the same on Dudley hierarchies
     BMR_FREE_DIRECTION, ///< closest direction fixed in one body, a window of two corners in the other
+    /// The free direction and the coarse line (docs/open-question.md): both are made at a repair. When the
+    /// free
+    /// direction fails and the coarse line separates, that is taken; when it fails, too, comes the next
+    /// repair.
+    BMR_TWO_LINES,
     BMR_STRUCTURE_COUNT
 } bmr_structure;
 
-/// "lazy-compass", "lazy-dudley", "lazy-dobkin-kirkpatrick", "free-direction"; NULL for anything else.
+/// "lazy-compass", "lazy-dudley", "free-direction", "two-lines"; NULL for anything else.
 const char *bmr_structure_name(bmr_structure structure);
 
 /// Settings of a structure. Constant; many pairs may share them.
 typedef struct bmr_pair_def {
     /// A lazy structure needs the hierarchies of both shapes. If one is missing, or the number names no
-    /// structure, the pair works as a free direction, which needs none. Answers, bounds and audits are the
-    /// same; the events differ (it has one level below the disks, and starts with a distance query). The
-    /// structure may change between two advances: the pair then starts anew at its next repair.
+    /// structure, the pair works as a free direction, which needs none; nor does two-lines. Answers, bounds
+    /// and audits are the same; the events differ (it has one level below the disks, and starts with a
+    /// distance query). The structure may change between two advances: the pair then starts anew at its next
+    /// repair.
     bmr_structure structure;
     /// The pair is in contact if no line proves more than this; >= 0, length units.
     double margin;
@@ -61,20 +66,22 @@ typedef struct bmr_pair_def {
 /// lazy-compass, margin 0, hysteresis 0. With these, shapes need no hierarchy, and are faster with one.
 bmr_pair_def bmr_default_pair_def(void);
 
-/// Kinds of events, in the paper's words. One repair is one of START, PUSH, STAB, ROLL, CONTACT and LEAVE,
-/// followed by one COARSEN for each level that it then gained. The only levels of the free direction are the
-/// disks and the polygons; its PUSH and ROLL both mean that it took the closest direction anew.
+/// Kinds of events, in the paper's words. One repair is one of START, PUSH, STAB, ROLL, CONTACT, LEAVE and
+/// HANDOVER, followed by one COARSEN for each level that it then gained. The only levels of the free
+/// direction and of two-lines are the disks and the polygons; their PUSH and ROLL both mean that the closest
+/// direction was taken anew.
 typedef enum bmr_event_kind {
-    BMR_EVENT_START,   ///< a certificate was made from nothing
-    BMR_EVENT_PUSH,    ///< the window crossed the line, and another line of the same level separates
-    BMR_EVENT_STAB,    ///< the envelopes of this level touch: refined to a deeper level
-    BMR_EVENT_ROLL,    ///< the direction left the window's bracket
-    BMR_EVENT_COARSEN, ///< a coarser level was found to be apart (one event for each level gained)
-    BMR_EVENT_CONTACT, ///< the stab reached the real polygons: use an exact test
-    BMR_EVENT_LEAVE,   ///< the pair left contact
+    BMR_EVENT_START,    ///< a certificate was made from nothing
+    BMR_EVENT_PUSH,     ///< the window crossed the line, and another line of the same level separates
+    BMR_EVENT_STAB,     ///< the envelopes of this level touch: refined to a deeper level
+    BMR_EVENT_ROLL,     ///< the direction left the window's bracket
+    BMR_EVENT_COARSEN,  ///< a coarser level was found to be apart (one event for each level gained)
+    BMR_EVENT_CONTACT,  ///< the stab reached the real polygons: use an exact test
+    BMR_EVENT_LEAVE,    ///< the pair left contact
+    BMR_EVENT_HANDOVER, ///< two-lines: the free direction failed, and the coarse line separates
     BMR_EVENT_KIND_COUNT
 } bmr_event_kind;
-/// "start", "push", "stab", "roll", "coarsen", "contact", "leave"; NULL for anything else.
+/// "start", "push", "stab", "roll", "coarsen", "contact", "leave", "handover"; NULL for anything else.
 const char *bmr_event_name(bmr_event_kind kind);
 
 /// The level above the bounding rectangle: two bounding disks.
@@ -88,14 +95,16 @@ typedef struct bmr_pair {
     uint8_t simplex : 2;   ///< in contact: how many vertex pairs (a | b << 16) are remembered in edge, other,
                            ///< other_after
     uint8_t structure : 2; ///< bmr_structure that edge, other and other_after are of
-    uint8_t free : 1; ///< lazy: 1 if the line is that of the closest direction, because no edge's line does
+    uint8_t free : 1; ///< lazy: 1 if the line is that of the closest direction, because no edge's line does;
+                      ///< two-lines: 1 if it is the free direction, 0 if it is the coarse line
     int8_t spin : 2;  ///< free: the sense in which B turned out of the last bracket: -1, 0 (unknown) or 1
     uint8_t owner;    ///< 0: the line is A's; 1: it is B's
     uint8_t state;    ///< bmr_pair_state
     int8_t level;     ///< -1 disks, 0 rectangles, ...; free direction: 0; in contact: the deepest
-    uint32_t edge;    ///< lazy: the owner's edge id; free: support vertex of the owner
-    uint32_t other;   ///< lazy: `before` of the other's corner; free: support vertex of the other
-    uint32_t other_after; ///< lazy: `after` of the other's corner (its `cut` follows from the level)
+    uint32_t edge;    ///< lazy: the owner's edge id; else: support vertex of the owner
+    uint32_t other;   ///< lazy: `before` of the other's corner; else: support vertex of the other
+    uint32_t other_after; ///< lazy: `after` of the other's corner (its `cut` follows from the level);
+                          ///< two-lines: the coarse line of the last repair, packed
     uint32_t stamp;       ///< of the polygons of the last advance, A and B in this order
 } bmr_pair;
 

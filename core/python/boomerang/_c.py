@@ -10,7 +10,7 @@ import weakref
 from ctypes import CFUNCTYPE, POINTER, byref, c_bool, c_char_p, c_double, c_float, c_int, c_int8, c_size_t, c_uint, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p, pointer
 
 HIERARCHY_KINDS = ("compass", "dudley", "dobkin-kirkpatrick")
-PAIR_STRUCTURES = ("lazy-compass", "lazy-dudley", "lazy-dobkin-kirkpatrick", "free-direction")
+PAIR_STRUCTURES = ("lazy-compass", "lazy-dudley", "free-direction", "two-lines")
 
 
 class BoomerangError(ValueError):
@@ -42,7 +42,7 @@ pair = record("pair", ("certificate", certificate), ("bits", c_uint8), ("owner",
 pair_def = record("pair_def", ("structure", c_int), ("margin", c_double), ("hysteresis", c_double))
 event = record("event", ("kind", c_int), ("level_before", c_int), ("level_after", c_int), ("pair", POINTER(pair)),
                ("pose", POINTER(pose)), ("gap", c_double))
-counters = record("counters", ("checks", c_uint64), ("events", c_uint64 * 7), ("steps", c_uint64))
+counters = record("counters", ("checks", c_uint64), ("events", c_uint64 * 8), ("steps", c_uint64))
 ON_EVENT = CFUNCTYPE(None, c_void_p, POINTER(event))
 observer = record("observer", ("counters", POINTER(counters)), ("on_event", ON_EVENT), ("context", c_void_p))
 condition = record("condition", ("normal", vec2), ("offset", c_double), ("point", vec2), ("kind", c_uint8), ("owner", c_uint8),

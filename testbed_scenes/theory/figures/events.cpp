@@ -163,7 +163,7 @@ void DrawPointEvents(Canvas &canvas) {
     DrawPointRun(canvas, {8.0, 12.0, half - 6.0, canvas.Height() - 28.0}, "triangle-levels-compass",
                  "(a) the active triangle", true);
     DrawPointRun(canvas, {half + 6.0, 12.0, canvas.Width() - 8.0, canvas.Height() - 28.0},
-                 "point-lazy-compass", "(b) a separating edge, lazily", false);
+                 "point-lazy-dudley", "(b) a separating edge, lazily", false);
 }
 
 void DrawPairEvents(Canvas &canvas) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kds/cone.h"
+#include "certificate/cone.h"
 
 #include <math.h>
 
@@ -7,9 +7,6 @@
 
 /// An edge this nearly across the direction that the search begins with counts as across it: its sine.
 #define LEVEL 1e-12
-
-/// A leaning line may turn towards the end of the cone until it separates by only this part of the distance.
-#define LEAN_LEAST_PART 0.25
 
 /// The vertices of one body from its support vertex in the first direction on, in the sense in which the
 /// support moves when the direction turns. The support at the end is among `low` to `high`.
@@ -59,13 +56,11 @@ static inline bmr_vec2 tilted(bmr_vec2 between, double least, int side) {
 /// l, m >= 0, l + m >= 1, beta being B's. For every point z of B <inside, z - p> > least, and <beta, z - p>
 /// >= <beta, q - p> > least. So <alpha, z - p> > least. And if only A's does, and q is known to be B's
 /// support at the end, it is beyond alpha for the same reason. Each step halves a chain.
-bmr_vec2 bmr_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 inside, double least, int side,
-                      const uint32_t support[2]) {
-    const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
-    unsigned steps = 0;
-    chain c = {a, NULL, bmr_support_near(a, inside, support[0] % a->count, &steps), 0, a->count - 1, side};
+bmr_vec2 bmr_cone_end(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a, bmr_vec2 inside,
+                      double least, int side, const uint32_t support[2], unsigned *steps) {
+    chain c = {a, NULL, bmr_support_near(a, inside, support[0] % a->count, steps), 0, a->count - 1, side};
     const bmr_vec2 back = bmr_unrotate(b_in_a, bmr_neg(inside));
-    chain d = {b, b_in_a, bmr_support_near(b, back, support[1] % b->count, &steps), 0, b->count - 1, side};
+    chain d = {b, b_in_a, bmr_support_near(b, back, support[1] % b->count, steps), 0, b->count - 1, side};
     while (c.low < c.high || d.low < d.high) {
         const uint32_t i = c.low + (c.high - c.low) / 2, j = d.low + (d.high - d.low) / 2;
         const bmr_vec2 w = tilted(bmr_sub(chain_point(&d, j), chain_point(&c, i)), least, side);
@@ -74,7 +69,7 @@ bmr_vec2 bmr_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 insid
         const bool c_first = side * bmr_cross(edge_c, edge_d) >= 0.0;
         const bool past_c = on_c && (on_d ? c_first : d.low == d.high),
                    past_d = on_d && (on_c ? !c_first : c.low == c.high);
-        ++steps;
+        ++*steps;
         if (past_c)
             c.low = i + 1;
         else if (!on_c)
@@ -84,25 +79,6 @@ bmr_vec2 bmr_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 insid
         else if (!on_d)
             d.high = j;
     }
-    bmr_kds_tally(kds, steps);
     const bmr_vec2 between = bmr_sub(chain_point(&d, d.low), chain_point(&c, c.low));
     return bmr_scale(1.0 / bmr_dot(between, between), tilted(between, least, side));
-}
-
-void bmr_lean_note(bmr_lean *lean, bmr_vec2 line, bmr_vec2 closest) {
-    const double turned = bmr_cross(line, closest);
-    const int side = (turned > 0.0) - (turned < 0.0);
-    lean->row =
-        side != lean->side ? 1 : (uint8_t)(lean->row < BMR_LEAN_AFTER ? lean->row + 1 : BMR_LEAN_AFTER);
-    lean->side = (int8_t)side;
-}
-
-bmr_vec2 bmr_lean_direction(const bmr_lean *lean, const bmr_kds *kds, const bmr_pose *b_in_a, double part,
-                            bmr_vec2 closest, double distance, const uint32_t support[2]) {
-    const double margin = kds->def.margin;
-    const double least = margin + LEAN_LEAST_PART * (distance - margin);
-    const bmr_vec2 end = bmr_cone_end(kds, b_in_a, closest, least, lean->side, support);
-    const double angle = part * atan2(bmr_cross(closest, end), bmr_dot(closest, end));
-    const bmr_pose turn = {{0.0, 0.0}, cos(angle), sin(angle)};
-    return bmr_rotate(&turn, closest);
 }
