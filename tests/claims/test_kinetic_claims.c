@@ -44,8 +44,7 @@ static uint64_t events(const stage *s, const bmr_kds_info *structure) {
 TEST(events_of_rigid_motions_are_no_more_than_a_clear_decomposition) {
     static const bmr_family families[] = {BMR_FAMILY_SPIN, BMR_FAMILY_RIGID_ALGEBRAIC, BMR_FAMILY_TUMBLE,
                                           BMR_FAMILY_RIGID_WANDER};
-    const bmr_kds_info *const structures[] = {&bmr_kds_inflated_window, &bmr_kds_free_fd1, &bmr_kds_free_fd2,
-                                              &bmr_kds_hybrid};
+    const bmr_kds_info *const structures[] = {&bmr_kds_inflated_window, &bmr_kds_free_fd2, &bmr_kds_hybrid};
     bool beyond = false;
     for (size_t f = 0; f < sizeof families / sizeof *families; ++f) {
         own_stage s = set(families[f], 13 + f);
