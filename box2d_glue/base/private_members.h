@@ -51,6 +51,9 @@ BMR_NAME_MEMBER(SolvePositionConstraints, b2Joint, SolvePositionConstraints,
                 bool (b2Joint::*)(const b2SolverData &));
 
 BMR_NAME_MEMBER(JointInIsland, b2Joint, m_islandFlag, bool b2Joint::*);
+BMR_NAME_MEMBER(ContactManager, b2World, m_contactManager, b2ContactManager b2World::*);
+BMR_NAME_MEMBER(AllowSleep, b2World, m_allowSleep, bool b2World::*);
+BMR_NAME_MEMBER(TheDestructionListener, b2World, m_destructionListener, b2DestructionListener *b2World::*);
 BMR_NAME_MEMBER(Profile, b2World, m_profile, b2Profile b2World::*);
 BMR_NAME_MEMBER(StackAllocator, b2World, m_stackAllocator, b2StackAllocator b2World::*);
 BMR_NAME_MEMBER(NewContacts, b2World, m_newContacts, bool b2World::*);

@@ -151,9 +151,7 @@ template <> void b2BroadPhase::UpdatePairs(bmr::PairFinder *finder) {
 namespace bmr {
 
 void FindNewContacts(b2ContactManager *manager, void (*box2d)(b2ContactManager *)) {
-    if (manager->m_contactList == nullptr)
-        if (Ledger *ledger = FindLedger(manager))
-            ledger->BeginEmpty();
+    DropLedgerOfEmpty(manager);
     PairFinder finder(manager);
     manager->m_broadPhase.UpdatePairs(&finder);
     if (Verifying()) {

@@ -76,14 +76,6 @@ bool Ledger::Begin() {
     return CatchUp();
 }
 
-void Ledger::BeginEmpty() {
-    if (m_passes > 0)
-        return;
-    Empty();
-    m_owed.Begin(0);
-    m_bodies.Forget();
-}
-
 void Ledger::Empty() {
     GiveMarksBack();
     m_movers.Clear();

@@ -77,10 +77,6 @@ public:
                (newest == nullptr || NumberOf(newest) != kNone);
     }
 
-    /// The world has no contacts, and is about to look for some. It may be another one than before: a game
-    /// may make a world in the memory of one whose destructor it never called, and give it the same memory
-    /// for its contacts.
-    void BeginEmpty();
     /// May contacts be missing in the lists of their bodies? A listener may step the world in EndContact.
     /// Where b2Body::SetType ended the contact, it empties the body's list when it is done, and with it what
     /// that step put there. As long as such contacts live, the world is Box2D's alone to step.

@@ -4,9 +4,11 @@
 #include <mutex>
 #include <new>
 
+#include "base/compiler.h"
 #include "start/current_step.h"
 #include "start/process_locks.h"
 #include "world/ledger.h"
+#include "world/world_sign.h"
 
 namespace bmr {
 
@@ -16,6 +18,7 @@ namespace {
 
 struct Entry : Ledger {
     using Ledger::Ledger;
+    WorldSign::Number sign = 0;
     uint32_t stepsOfFew = 0; ///< in a row began with fewer contacts than a ledger is kept for
     Entry *next = nullptr;
 };
@@ -26,7 +29,7 @@ Entry *chains[1u << kChainBits];
 
 struct Remembered {
     const b2ContactManager *manager;
-    Ledger *ledger;
+    Entry *ledger;
     uint64_t changes;
 };
 thread_local Remembered remembered = {nullptr, nullptr, 0};
@@ -48,23 +51,50 @@ Entry **LinkTo(const b2ContactManager *manager) {
     return link;
 }
 
+void Drop(const b2ContactManager *manager) {
+    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
+    Entry **link = LinkTo(manager);
+    Entry *const ended = *link;
+    if (ended == nullptr)
+        return;
+    *link = ended->next;
+    internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
+    if (!ended->IsInPass()) // else a pass has its address, in a step that may never end
+        delete ended;
+}
+
 } // namespace
 
 Ledger *internal::FindLedgerOfSome(const b2ContactManager *manager) {
     const uint64_t now = changesOfLedgers.load(std::memory_order_acquire);
-    if (remembered.manager == manager && remembered.changes == now)
-        return remembered.ledger;
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
-    remembered = {manager, *LinkTo(manager), now};
-    return remembered.ledger;
+    if (remembered.manager != manager || remembered.changes != now) {
+        const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
+        remembered = {manager, *LinkTo(manager), now};
+    }
+    Entry *const ledger = remembered.ledger;
+    if (BMR_RARELY(ledger != nullptr && ledger->sign != WorldSign::Read(manager))) {
+        Drop(manager);
+        return nullptr;
+    }
+    return ledger;
+}
+
+Ledger *FindAndSignLedger(b2ContactManager *manager) {
+    auto *const ledger = static_cast<Entry *>(FindLedger(manager));
+    if (ledger == nullptr || WorldSign::Renew(manager, &ledger->sign))
+        return ledger;
+    Drop(manager);
+    return nullptr;
 }
 
 Ledger *MakeLedger(b2ContactManager *manager) {
     if (Ledger *ledger = FindLedger(manager))
         return ledger;
     Entry *made = new (std::nothrow) Entry(manager);
-    if (made == nullptr)
+    if (made == nullptr || !WorldSign::Renew(manager, &made->sign)) {
+        delete made;
         return nullptr;
+    }
     const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
     *LinkTo(manager) = made;
     internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
@@ -72,7 +102,8 @@ Ledger *MakeLedger(b2ContactManager *manager) {
 }
 
 Ledger *LedgerForStep(b2ContactManager *manager) {
-    Ledger *const ledger = FindLedger(manager);
+    DropLedgerOfEmpty(manager);
+    Ledger *const ledger = FindAndSignLedger(manager);
     if (ledger == nullptr)
         return manager->m_contactCount >= WorthALedgerAnyway() ? MakeLedger(manager) : nullptr;
     uint32_t &stepsOfFew = static_cast<Entry *>(ledger)->stepsOfFew;
@@ -86,15 +117,22 @@ Ledger *LedgerForStep(b2ContactManager *manager) {
     return ledger;
 }
 
-void DropLedger(const b2ContactManager *manager) {
-    if (FindLedger(manager) == nullptr)
+void DropLedgerOfEmpty(const b2ContactManager *manager) {
+    if (manager->m_contactCount > 0)
         return;
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
-    Entry **link = LinkTo(manager);
-    Entry *ended = *link;
-    *link = ended->next;
-    internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
-    delete ended;
+    const Ledger *const ledger = FindLedger(manager);
+    if (ledger != nullptr && !ledger->IsInPass())
+        Drop(manager);
+}
+
+void DropLedger(const b2ContactManager *manager) {
+    if (AnyLedger())
+        Drop(manager);
+}
+
+void Forget(b2World *world) {
+    if (world != nullptr)
+        DropLedger(&world->GetContactManager());
 }
 
 } // namespace bmr

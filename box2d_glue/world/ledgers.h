@@ -15,7 +15,8 @@ class Ledger;
 
 /// @file
 /// Which world has which ledger. Worlds have no room for one, so that it is found by the address of their
-/// contact manager. A world gets one when it has contacts enough, and loses it when it ends.
+/// contact manager. A world gets one when it has contacts enough, and loses it when it ends, or has no
+/// contact.
 
 /// So many contacts are worth a ledger. In worlds of fewer, looking at what touches costs less than the
 /// ledger does, whose code and memory a game's own work has put out of the caches between two steps. Where
@@ -36,16 +37,25 @@ inline bool AnyLedger() {
     return internal::changesOfLedgers.load(std::memory_order_acquire) != 0;
 }
 
-/// nullptr where it has none. Two loads for the world that the thread asked for last.
+/// nullptr where it has none. A few loads for the world that the thread asked for last. If the world's memory
+/// was put back since the ledger was signed (world_sign.h), the ledger is dropped here, and none of its
+/// pointers is followed.
 inline Ledger *FindLedger(const b2ContactManager *manager) {
     return AnyLedger() ? internal::FindLedgerOfSome(manager) : nullptr;
 }
-/// Makes it if need be; nullptr without memory.
+/// Makes it if need be; nullptr without memory, or where no sign is left.
 Ledger *MakeLedger(b2ContactManager *manager);
-/// For a step that begins: makes it where there are contacts enough. Gives it back where the world began many
-/// steps in a row with less than half as many: a world that goes to and fro about the limit keeps it.
+/// For a step that begins: makes it where there are contacts enough, and signs it. Gives it back where the
+/// world began many steps in a row with less than half as many: a world that goes to and fro about the limit
+/// keeps it.
 Ledger *LedgerForStep(b2ContactManager *manager);
-/// The world ends.
+/// The same as FindLedger, and gives world and ledger a new sign (world_sign.h): for steps that begin, and
+/// for contacts that end.
+Ledger *FindAndSignLedger(b2ContactManager *manager);
+/// A world without contacts has no ledger. It may be another world than before: a game may make a world in
+/// the memory of one whose destructor it never called.
+void DropLedgerOfEmpty(const b2ContactManager *manager);
+/// The world ends, or is to be forgotten. A pass that is under way keeps what it has.
 void DropLedger(const b2ContactManager *manager);
 
 } // namespace bmr

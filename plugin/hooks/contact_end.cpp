@@ -15,7 +15,7 @@ BMR_FOR_LOADERS("_ZN16b2ContactManager7DestroyEP9b2Contact");
 void b2ContactManager::Destroy(b2Contact *contact) {
     if (NothingIsInstalled())
         return stock::Destroy(this, contact);
-    Ledger *ledger = PassesRun(HookOf::Destroy) ? FindLedger(this) : nullptr;
+    Ledger *ledger = PassesRun(HookOf::Destroy) ? FindAndSignLedger(this) : nullptr;
     if (ledger == nullptr) {
         stock::Destroy(this, contact);
         return;

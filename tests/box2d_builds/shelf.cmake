@@ -103,6 +103,8 @@ endfunction()
 macro(box2d_shelf source)
   set(BOX2D_SOURCE ${source})
   file(GLOB box2d_sources ${source}/src/*/*.cpp)
+  # So that a program can put an allocator of its own in front of b2Alloc_Default (LINKER:--wrap).
+  set_source_files_properties(${source}/src/common/b2_settings.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   list(TRANSFORM box2d_sources REPLACE "(.+)" "#include \"\\1\"" OUTPUT_VARIABLE includes)
   string(REPLACE ";" "\n" includes "${includes}")
   set(box2d_one_source ${PROJECT_BINARY_DIR}/one_source.cpp)

@@ -21,6 +21,7 @@
 
 class b2Body;
 class b2Contact;
+class b2World;
 
 /// @file
 /// Boomerang as Box2D's polygon narrow phase. Games include boomerang/box2d.h.
@@ -144,6 +145,17 @@ BMR_BOX2D_API float CertifiedSlack(const b2Body *bodyA, const b2Body *bodyB);
 /// the library does not see b2World::Step, a call after a change of vertices can save time: a hull that does
 /// not hold its fixtures answers nothing until this call builds it again.
 BMR_BOX2D_API void Invalidate(b2Body *body);
+
+/// Drops all that the library remembers of this world. The world's next step begins anew, with the same bits;
+/// it costs about as much as one step without the plugin. Call it between steps, on the thread that uses the
+/// world; nullptr, and a world of which nothing is remembered, are allowed.
+///
+/// A game that puts Box2D's memory back to what it was (rollback) need not call it: the next step sees that,
+/// by a number in the world's own memory. Call it where that number is not put back with the rest, because
+/// the game copies member by member, or after any other change that went around Box2D's functions. A
+/// ConvexShape of more than b2_maxPolygonVertices vertices has memory outside of the world, and counts who
+/// uses it: a game that goes back must not go back past the making or the end of its fixture.
+BMR_BOX2D_API void Forget(b2World *world);
 
 } // namespace bmr
 
