@@ -308,6 +308,28 @@ test_modules_keep_their_own_box2d() {
     grep -q 'steps 10' "$room/out" && fail "control: another Box2D in front changes nothing"
 }
 
+# A host closes a game and opens the next version of its file: the library keeps none of them.
+test_games_are_opened_again() {
+    local kind setting
+    for kind in private sharing linked; do
+        local versions=("$bin/lib${kind}_1.so" "$bin/lib${kind}_2.so" "$bin/lib${kind}_3.so")
+        "$bin/reloading_host" "$room/game.so" "${versions[@]}" >"$room/stock_of_it" || fail "$kind: failed without the plugin"
+        [ "$(sort -u "$room/stock_of_it" | wc -l)" -eq 3 ] || fail "$kind: control: not three versions"
+        for setting in '' off on verify; do
+            game "reloading_host $room/game.so ${versions[*]}" LD_PRELOAD="$plugin" BOOMERANG="$setting" ||
+                fail "$kind, '$setting': exit status $?"
+            cmp -s "$room/out" "$room/stock_of_it" || fail "$kind, '$setting': other versions were played"
+            quiet "$kind, '$setting'"
+        done
+        for setting in '' on; do # linked, and not preloaded
+            game "reloading_host $room/game.so ${versions[*]}" BOOMERANG="$setting" || fail "$kind, not preloaded: exit status $?"
+            cmp -s "$room/out" "$room/stock_of_it" || fail "$kind, not preloaded, '$setting': other versions were played"
+        done
+    done
+    # Opened for all to see.
+    game "module_host $bin/libsharing_1.so global" LD_PRELOAD="$plugin" BOOMERANG=off || fail "for all to see: exit status $?"
+}
+
 test_classes_need_no_type_information() {
     plays_as_stock typeless_game
 }

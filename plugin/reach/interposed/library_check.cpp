@@ -18,9 +18,6 @@
 
 namespace bmr {
 
-/// One of this library's own references to Box2D: at no address where no Box2D was in search order when it
-/// was loaded.
-extern const char boundReference[] asm("_ZN9b2Contact11s_registersE") __attribute__((weak));
 /// The b2World::Step that the loader finds by name: this library's, if it is ahead.
 extern const char boundStep[] asm("_ZN7b2World4StepEfii") __attribute__((weak));
 
@@ -149,7 +146,8 @@ const char *WhyNoStepComesBy() {
 }
 
 const char *WhyModuleIsLeftAlone() {
-    const std::string_view path = PathOf(FindReal(kStep));
+    const CallIntoModule call;
+    const std::string_view path = PathOf(FoundFunction(kStep).Find());
     if (path.substr(path.rfind('/') + 1).substr(0, 8) == "libbox2d")
         return NameBoth("the Box2D of this process is a module's own (dlopen)", path.data());
     std::snprintf(words, sizeof words,
@@ -207,7 +205,7 @@ const char *WhyLibraryIsUnknown() {
             return words;
         }
     }
-    if (boundReference == nullptr)
+    if (!Box2DStays())
         return NameBoth("the Box2D of this process was loaded after this library", PathOf(Find(kWorld)));
     // The text of an assertion of its solver is there only where the solver is compiled.
     SetBox2DAsserts(FileHolds(Find(kStep), "a.x >= 0.0f && a.y >= 0.0f"));

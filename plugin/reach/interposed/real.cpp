@@ -10,6 +10,10 @@
 
 namespace bmr {
 
+/// One of this library's own references to Box2D: at no address where no Box2D was in search order when it
+/// was loaded.
+extern const char boundReference[] asm("_ZN9b2Contact11s_registersE") __attribute__((weak));
+
 namespace {
 
 /// The name of one loaded object.
@@ -30,8 +34,7 @@ int FindName(dl_phdr_info *object, size_t, void *context) {
     return 1;
 }
 
-/// In the modules that are in no search order but their own. The one that has it is never closed, because its
-/// function is remembered. `*changes` is of the list that was gone through.
+/// In the modules that are in no search order but their own. `*changes` is of the list that was gone through.
 void *FindInModules(const char *mangled, uint64_t *changes) {
     // Opened only afterwards: the loader must not be asked while it goes through its list. And by one name at
     // a time, without memory: this may be in the middle of a step, which nothing may throw through.
@@ -41,9 +44,10 @@ void *FindInModules(const char *mangled, uint64_t *changes) {
         void *module = name.text[0] == '\0' ? nullptr : dlopen(name.text, RTLD_NOW | RTLD_NOLOAD);
         if (module == nullptr)
             continue;
-        if (void *found = dlsym(module, mangled))
-            return found;
+        void *const found = dlsym(module, mangled);
         dlclose(module);
+        if (found != nullptr)
+            return found;
     }
     *changes = name.changes;
     return nullptr;
@@ -60,15 +64,53 @@ void *FindInModules(const char *mangled) {
     return found;
 }
 
+/// Files that were loaded and closed so far, together.
+uint64_t ChangesOfLoader() {
+    uint64_t changes = 0;
+    const auto read = [](dl_phdr_info *object, size_t, void *to) {
+        *static_cast<uint64_t *>(to) = object->dlpi_adds + object->dlpi_subs;
+        return 1;
+    };
+    dl_iterate_phdr(read, &changes);
+    return changes;
+}
+
+thread_local uint32_t callsUnderWay = 0;
+thread_local uint64_t changesAtCall = 0; ///< of the loader's list, when the outermost of them began
+
 } // namespace
 
-void *FindReal(const char *mangled) {
-    void *found = dlsym(RTLD_NEXT, mangled);
+CallIntoModule::CallIntoModule() {
+    if (callsUnderWay++ == 0)
+        changesAtCall = ChangesOfLoader();
+}
+
+CallIntoModule::~CallIntoModule() {
+    --callsUnderWay;
+}
+
+bool Box2DStays() {
+    return boundReference != nullptr;
+}
+
+void *FoundFunction::Find() {
+    if (m_guard.try_lock()) {
+        void *const known = m_changes == changesAtCall ? m_found : nullptr;
+        m_guard.unlock();
+        if (known != nullptr)
+            return known;
+    }
+    void *found = dlsym(RTLD_NEXT, m_name);
     if (found == nullptr)
-        found = FindInModules(mangled);
+        found = FindInModules(m_name);
     if (found == nullptr) {
-        std::fprintf(stderr, "boomerang: %s is called, but no library but this one has it\n", mangled);
+        std::fprintf(stderr, "boomerang: %s is called, but no library but this one has it\n", m_name);
         std::abort();
+    }
+    if (m_guard.try_lock()) {
+        m_found = found;
+        m_changes = changesAtCall;
+        m_guard.unlock();
     }
     return found;
 }

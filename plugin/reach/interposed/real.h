@@ -3,6 +3,8 @@
 #define BOOMERANG_REACH_INTERPOSED_REAL_H
 
 #include <atomic>
+#include <cstdint>
+#include <mutex>
 
 #include "base/compiler.h"
 
@@ -26,19 +28,46 @@
 
 namespace bmr {
 
-/// The next definition of this name after this library's; where there is none, that of a module which was
-/// opened for itself (dlopen with RTLD_LOCAL) and which then stays loaded: of several, the one that was
-/// loaded first. Ends the program if no module has it: a function that is called must be somewhere.
-void *FindReal(const char *mangled);
+/// A call of a function in a Box2D that may be closed again: one that was opened after this library was
+/// loaded. While such a call is under way on this thread its Box2D stays loaded. So the loader's list of what
+/// is loaded is asked for changes by the outermost call alone.
+class CallIntoModule {
+public:
+    CallIntoModule();
+    ~CallIntoModule();
+    CallIntoModule(const CallIntoModule &) = delete;
+    CallIntoModule &operator=(const CallIntoModule &) = delete;
+};
 
-/// A function of Box2D's, looked up once. Any thread may be the first; initialised at compile time, since
-/// Box2D may be called before this library's constructors ran.
+/// Where one of Box2D's functions is.
+class FoundFunction {
+public:
+    explicit constexpr FoundFunction(const char *mangled) : m_name(mangled) {}
+
+    /// The next definition of the name after this library's; where there is none, that of a module which was
+    /// opened for itself (dlopen with RTLD_LOCAL): of several, the one that was loaded first. Looked up again
+    /// where files were loaded or closed meanwhile; no file is kept open. Within a CallIntoModule. Ends the
+    /// program if no module has it: a function that is called must be somewhere.
+    void *Find();
+
+private:
+    std::mutex m_guard; ///< never held while the loader is asked
+    void *m_found = nullptr;
+    uint64_t m_changes = 0; ///< of the loader's list, when it was found
+    const char *m_name;
+};
+
+/// Was Box2D there when this library was loaded? Then it stays, for this library refers to it.
+bool Box2DStays();
+
+/// A function of Box2D's, looked up once where Box2D stays. Any thread may be the first; initialised at
+/// compile time, since Box2D may be called before this library's constructors ran.
 template <typename Function> class Real;
 template <typename Result, typename... Arguments> class Real<Result(Arguments...)> {
     using Function = Result(Arguments...);
 
 public:
-    explicit constexpr Real(const char *name) : m_name(name) {}
+    explicit constexpr Real(const char *name) : m_found(name) {}
 
     /// As the last thing that a hook does: a load, a test and a jump. (What looks the function up is a call
     /// of its own, so that the hook needs no room on the stack.)
@@ -48,15 +77,16 @@ public:
     }
 
 private:
-    BMR_COLD Result FindAndCall(Arguments... arguments) { return Find()(arguments...); }
-    BMR_COLD Function *Find() {
-        Function *function = reinterpret_cast<Function *>(FindReal(m_name));
-        m_function.store(function, std::memory_order_relaxed);
-        return function;
+    BMR_COLD Result FindAndCall(Arguments... arguments) {
+        const CallIntoModule call;
+        Function *const function = reinterpret_cast<Function *>(m_found.Find());
+        if (Box2DStays())
+            m_function.store(function, std::memory_order_relaxed);
+        return function(arguments...);
     }
 
     std::atomic<Function *> m_function{nullptr};
-    const char *m_name;
+    FoundFunction m_found;
 };
 
 } // namespace bmr
