@@ -95,9 +95,11 @@ if(TARGET boomerang_core_shared)
     FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)
 endif()
 
-if(TARGET boomerang)
-  install(TARGETS boomerang RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
-  install(FILES ${PROJECT_SOURCE_DIR}/plugin/try/boomerang.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
+if(TARGET boomerang_box2d AND CMAKE_SYSTEM_NAME STREQUAL "Linux") # `boomerang try`, which finds the library from where it is itself
+  file(RELATIVE_PATH boomerang_bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  configure_file(plugin/boomerang.sh.in bin/boomerang @ONLY)
+  install(PROGRAMS ${PROJECT_BINARY_DIR}/bin/boomerang DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
+  install(FILES ${PROJECT_SOURCE_DIR}/plugin/boomerang.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
 endif()
 if(BOOMERANG_INSTALL_TESTBED AND TARGET boomerang-testbed)
   # The workers lie beside the program, which looks for them there; what they load is found from wherever that is.

@@ -16,6 +16,7 @@
 #include "passes/contact_look.h"
 #include "start/current_step.h"
 #include "start/settings.h"
+#include "tell/exit_line.h"
 #include "tell/modesty.h"
 #include "tell/verify.h"
 #include "world/ledger.h"
@@ -327,6 +328,8 @@ void CollidePass::Run() {
 
 void CollidePass::End() {
     m_pass.Complete();
+    if (StepsAreTimed())
+        NotePairs(m_ledger->WatchedCount(), m_ledger->CountTouching());
     m_ledger->NoteLooks(m_looks, m_touching);
     m_ledger->Owed().EndPass(GameRan());
 }
@@ -347,6 +350,8 @@ void Collide(b2ContactManager *manager) {
     if (HasCodeOfGame(*manager))
         GameRan() = true;
     const ListCounts counts = CollideByList(manager);
+    if (StepsAreTimed())
+        NotePairs(counts.awake, counts.touching);
     if (Ledger *passedOver = FindLedger(manager))
         passedOver->NoteList(counts.awake, counts.touching);
 }

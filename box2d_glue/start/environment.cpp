@@ -106,6 +106,8 @@ std::optional<Mode> ModeOfEnvironment() {
     const std::string_view value = ReadEnvironment("BOOMERANG");
     if (value.empty())
         return std::nullopt;
+    if (value == "0" || value == "1")
+        return value == "1" ? Mode::On : Mode::Off;
     for (const Mode mode : {Mode::On, Mode::Off, Mode::Verify})
         if (value == NameOf(mode))
             return mode;

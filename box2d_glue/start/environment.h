@@ -10,16 +10,17 @@
 /// @file
 /// The environment variables that set the plugin without rebuilding the program:
 ///
-///     BOOMERANG=on|off|verify
+///     BOOMERANG=on|off|verify    or 1|0, for the first two
 ///     BOOMERANG_VERBOSE=0|1
 ///
 /// They win over the options that the program passes. A value that is not understood is ignored, and one line
 /// on stderr says so, once for a process. Nothing is read in programs that run with another user's rights
 /// (setuid).
 ///
-/// Two more are for the project's own tests and its testbed; pages for games do not have them:
+/// Three more are for the project's own tests and its testbed; pages for games do not have them:
 ///
 ///     BOOMERANG_PAIRS_BY=free-direction|...        a name of bmr_structure_name: it holds every pair
+///     BOOMERANG_COUNTS=FILE                        what was counted, when the process ends
 ///     BOOMERANG_EVERYWHERE=on|off                  budgets of motion also where they cost more than they
 ///     save
 

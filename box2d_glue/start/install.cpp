@@ -15,7 +15,7 @@
 #include "start/rounding_probe.h"
 #include "start/settings.h"
 #include "start/this_process.h"
-#include "tell/trial.h"
+#include "tell/exit_line.h"
 #include "tell/verify.h"
 
 namespace bmr {
@@ -69,7 +69,9 @@ bool InstallHere(const Options &given) {
         return false;
     const NearestRounding nearest; // Box2D is tried out in the mode in which it will be asked
     const Options options = WithEnvironment(given);
-    OpenTrial();
+    ReadVerbosity();
+    if (options.verbosity > 0)
+        TimeSteps();
     if (options.mode == Mode::Off)
         return false;
     if (const char *why = WhyThisBox2DIsUnknown())

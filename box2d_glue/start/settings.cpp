@@ -6,7 +6,7 @@
 #include "start/environment.h"
 #include "start/rounding_probe.h"
 #include "tell/event.h"
-#include "tell/trial.h"
+#include "tell/exit_line.h"
 
 namespace bmr {
 
@@ -24,7 +24,7 @@ bool MakeSettings(const Options &options, const char *whyNoPass) {
     made.options = options;
     made.whyNoPass = whyNoPass;
     made.options.statistics =
-        options.statistics || options.onEvent != nullptr || AnswersAreObserved() || TrialCounts();
+        options.statistics || options.onEvent != nullptr || AnswersAreObserved() || CountsAreWanted();
     made.pairDef = bmr_default_pair_def();
     const std::optional<bmr_structure> pairsBy = StructureOfEnvironment();
     made.remembersEdges = !pairsBy;

@@ -15,6 +15,7 @@
 
 #include "start/settings.h"
 #include "start/this_process.h"
+#include "tell/exit_line.h"
 
 namespace bmr {
 
@@ -127,7 +128,7 @@ void SayVerifiedAtExit() {
         verifiedBefore = GetCounts().verified.load();
         differencesBefore = GetCounts().differences.load();
     });
-    std::atexit(SayVerified);
+    CallAtEnd(SayVerified);
 }
 
 void CountVerified() {

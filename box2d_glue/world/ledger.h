@@ -109,6 +109,14 @@ public:
     /// In the middle of a pass: of this word's pairs, those of bodies that woke are watched.
     void WatchWoken(uint32_t word);
     bool AreAllWatched() const { return m_watched == m_live; }
+    uint32_t WatchedCount() const { return static_cast<uint32_t>(m_watched); }
+    /// Of these, the ones that touched when they were looked at.
+    uint32_t CountTouching() const {
+        uint32_t count = 0;
+        for (uint32_t word = 0; word <= m_count / 64; ++word)
+            count += CountBits(WatchedOf(word) & TouchingOf(word));
+        return count;
+    }
     /// Goes up where a pair may be due, or be gone, for another reason than its movers' motion.
     uint32_t Changes() const { return m_changes; }
     bool IsDue(uint32_t i) const {

@@ -12,7 +12,7 @@
 #include "start.h"
 #include "start/current_step.h"
 #include "start/settings.h"
-#include "tell/trial.h"
+#include "tell/exit_line.h"
 
 using namespace bmr;
 
@@ -40,8 +40,8 @@ void StepAsAsked(b2World *world, float timeStep, int32 velocityIterations, int32
         StepHere(world, timeStep, velocityIterations, positionIterations);
 }
 
-BMR_COLD void StepTried(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
-    TimedStep timed;
+BMR_COLD void StepTimed(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
+    const TimedStep timed;
     StepAsAsked(world, timeStep, velocityIterations, positionIterations);
     timed.End();
 }
@@ -52,8 +52,8 @@ BMR_FOR_LOADERS("_ZN7b2World4StepEfii");
 
 void b2World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
     StartAtFirstStep();
-    if (IsTried() && !IsFindingReach())
-        StepTried(this, timeStep, velocityIterations, positionIterations);
+    if (StepsAreTimed() && !IsFindingReach())
+        StepTimed(this, timeStep, velocityIterations, positionIterations);
     else
         StepAsAsked(this, timeStep, velocityIterations, positionIterations);
 }

@@ -15,7 +15,7 @@ trap 'rm -rf "$room"' EXIT
 holds_shows=$room/err
 # shellcheck source=tests/kit/holds.sh
 source "$root/tests/kit/holds.sh"
-unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 cd "$room" || exit 1
 
 headers=(-I"$root/core/include" -I"$root/box2d_glue/include" -I"$root/plugin/include" -I"$build/source/include")

@@ -20,7 +20,7 @@ program=$build/$variant/games_$variant
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 passed=0 failed=0
-unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 # What goes round for ever ends: many hundred times what a game needs of a processor, however busy the machine is.
 ulimit -t 60
 ulimit -c 0

@@ -27,7 +27,7 @@ const Way kWays[] = {
     {"lazy-compass", {"BOOMERANG_PAIRS_BY=lazy-compass"}},
     {"verify, complaints",
      {"BOOMERANG=verify", "BOOMERANG_PAIRS_BY=none of that name", "BOOMERANG_VERBOSE=very",
-      "BOOMERANG_TRIAL=/nowhere/page"}},
+      "BOOMERANG_COUNTS=/nowhere/counts"}},
 };
 
 size_t failures = 0;
@@ -108,7 +108,7 @@ size_t PlayWay(const Way &way, const Ended &stock) {
 
 int main() {
     for (const char *name :
-         {"BOOMERANG", "BOOMERANG_PAIRS_BY", "BOOMERANG_TRIAL", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
+         {"BOOMERANG", "BOOMERANG_PAIRS_BY", "BOOMERANG_COUNTS", "BOOMERANG_VERBOSE", "LD_PRELOAD"})
         unsetenv(name);
     const Ended stock = RunProgram({GAME});
     size_t played = 0;

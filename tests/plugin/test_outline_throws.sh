@@ -14,7 +14,7 @@ throws=${BMR_OUTLINE_THROWS:-30000}
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 failures=0
-unset BOOMERANG BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 
 fail() {
     failures=$((failures + 1))

@@ -9,7 +9,7 @@ plugin=${1:?} box2d=${2:?} bin=${3:?} source=${4:?}
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 failures=0
-unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 
 fail() {
     failures=$((failures + 1))
@@ -23,10 +23,11 @@ game() {
     local words
     read -ra words <<<"$1"
     shift
-    "$bin/trial_page" make "$room/page"
+    : >"$room/counts"
     local status=0
-    env BOOMERANG_TRIAL="$room/page" "$@" "$bin/${words[0]}" "${words[@]:1}" >"$room/out" 2>"$room/err" || status=$?
-    "$bin/trial_page" read "$room/page" >"$room/counts"
+    env BOOMERANG_COUNTS="$room/counts" "$@" "$bin/${words[0]}" "${words[@]:1}" >"$room/out" 2>"$room/err" || status=$?
+    grep '^boomerang: [0-9]* steps, ' "$room/err" >"$room/last_line"
+    sed -i '/^boomerang: [0-9]* steps, /d' "$room/err"
     return "$status"
 }
 
@@ -105,12 +106,14 @@ test_preloaded_is_on_unless_told_off() {
     quiet preloaded
     at_work preloaded
     [ "$(number steps)" -eq 240 ] || fail "preloaded: not all steps were seen"
-    grep -q '^/.*/libbox2d' "$room/counts" || fail "preloaded: Box2D's file is not named"
     [ "$(number differences)" -eq 0 ] && [ "$(number verified)" -eq 0 ] || fail "preloaded: something was verified"
-    game plain_game LD_PRELOAD="$plugin" BOOMERANG=off
-    same_output "preloaded, off"
-    quiet "preloaded, off"
-    at_rest "preloaded, off"
+    local mode
+    for mode in off 0; do
+        game plain_game LD_PRELOAD="$plugin" BOOMERANG=$mode
+        same_output "preloaded, $mode"
+        quiet "preloaded, $mode"
+        at_rest "preloaded, $mode"
+    done
     # Named by a link or another path: by what is loaded, not by the variable alone.
     ln -sf "$plugin" "$room/other-name.so"
     game plain_game LD_PRELOAD="$room/other-name.so"
@@ -123,9 +126,12 @@ test_linked_without_a_call_is_off_unless_told_on() {
     same_output linked
     quiet linked
     at_rest linked
-    game linked_game BOOMERANG=on
-    same_output "linked, on"
-    at_work "linked, on"
+    local mode
+    for mode in on 1; do
+        game linked_game BOOMERANG=$mode
+        same_output "linked, $mode"
+        at_work "linked, $mode"
+    done
     game linked_game LD_PRELOAD="$plugin"
     same_output "linked and preloaded"
     at_work "linked and preloaded"
@@ -177,6 +183,32 @@ test_what_is_announced_is_what_is_reached() {
     [ "$(number edge_checks)" -eq 0 ] && [ "$(number hull_checks)" -gt 0 ] || fail "another structure"
 }
 
+# last_line WHAT PATTERN: what is said when the process ends.
+last_line() {
+    [ "$(wc -l <"$room/last_line")" -eq 1 ] && grep -qE "$2" "$room/last_line" || fail "$1: at the end it says: $(cat "$room/last_line")"
+}
+
+test_the_last_line_says_what_steps_took() {
+    local steps='^boomerang: 240 steps, [0-9]+\.[0-9][0-9] us each' pairs='; [1-9][0-9.]* pairs of awake bodies a step, [1-9][0-9.]* of them touch$'
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
+    last_line "on" "$steps$pairs"
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1 BOOMERANG=off
+    last_line "off" "$steps\$"
+    quiet "off, verbose"
+    game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1 BOOMERANG_STEPS=100
+    last_line "of the first steps" "^boomerang: 100 steps, .*$pairs"
+    game plain_game LD_PRELOAD="$plugin"
+    [ ! -s "$room/last_line" ] || fail "not asked, and said all the same"
+    # A game that is ended from outside says it, too.
+    (LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1 BOOMERANG=off exec "$bin/endless_game" 2>"$room/last_line" >"$room/ready") &
+    local game=$! status=0
+    while ! [ -s "$room/ready" ]; do sleep 0.05; done
+    kill -TERM "$game"
+    wait "$game" || status=$?
+    [ "$status" -eq 143 ] || fail "ended by SIGTERM: exit status $status"
+    last_line "ended by SIGTERM" '^boomerang: [1-9][0-9]* steps, [0-9.]+ us each$'
+}
+
 test_values_that_are_not_understood_get_one_line() {
     game plain_game LD_PRELOAD="$plugin" BOOMERANG=perhaps
     one_line "BOOMERANG=perhaps" 'BOOMERANG=perhaps is not understood.*on, off, verify'
@@ -190,9 +222,6 @@ test_values_that_are_not_understood_get_one_line() {
     one_line "a structure of no name" 'known: .*free-direction'
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=very
     one_line "another verbosity" 'known: 0, 1'
-    game plain_game LD_PRELOAD="$plugin" BOOMERANG_TRIAL="$room/no/such/place"
-    one_line "a page that is nowhere" 'is not a file that this library can write to'
-    same_output "a page that is nowhere"
 }
 
 # What does not work as it is put together says what to write.

@@ -13,7 +13,7 @@
 #include "start/reach.h"
 #include "start/recognise.h"
 #include "start/this_process.h"
-#include "tell/trial.h"
+#include "tell/exit_line.h"
 
 namespace bmr {
 
@@ -68,10 +68,8 @@ __attribute__((constructor)) void Loaded() {
                          WhyLibraryIsUnknown());
         return;
     }
-    OpenTrial();
+    ReadVerbosity();
     const bool wrapped = !StepsComeByHere() && AWrapperStepsFirst();
-    if (!StepsComeByHere())
-        TellTrial(WhyNoStepComesBy());
     SetLibraryCheck(WhyLibraryIsUnknown);
     TheStockSolver().solveWorld = [](b2World *world, const b2TimeStep &step) { stock::Solve(world, step); };
     TheStockSolver().solveImpacts = [](b2World *world, const b2TimeStep &step) {

@@ -10,7 +10,7 @@
 #include "start/install.h"
 #include "start/reach.h"
 #include "start/rounding_probe.h"
-#include "tell/trial.h"
+#include "tell/exit_line.h"
 
 namespace bmr {
 
@@ -18,7 +18,7 @@ std::atomic<bool> internal::startsByItself{true};
 
 void internal::StartNow() {
     StartOnce([] {
-        OpenTrial();
+        ReadVerbosity();
         if (!InstallWasCalled())
             InstallHere(Options());
     });

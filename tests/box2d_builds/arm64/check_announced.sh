@@ -11,17 +11,16 @@ room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # shellcheck source=tests/kit/holds.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../kit/holds.sh"
-unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 # shellcheck source=tests/box2d_builds/processor.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../processor.sh"
 processor_for fused || exit 1
 
 # says VARIANT LINE [PRELOADED]: its one line begins so (of the accelerated game, where it is said what is preloaded), steps were counted, and edges asked.
 says() {
-    "${runner[@]}" "$build/trial_page" make "$room/page"
-    "${runner[@]}" -E "LD_PRELOAD=${3-$plugin}" -E BOOMERANG_VERBOSE=1 -E "BOOMERANG_TRIAL=$room/page" \
+    rm -f "$room/counts"
+    "${runner[@]}" -E "LD_PRELOAD=${3-$plugin}" -E BOOMERANG_VERBOSE=1 -E "BOOMERANG_COUNTS=$room/counts" \
         "$build/$1/games_$1${3+_accelerated}" heap >/dev/null 2>"$room/err"
-    "${runner[@]}" "$build/trial_page" read "$room/page" >"$room/counts"
     grep -q "^boomerang: $2" "$room/err" && grep -q '^steps [1-9]' "$room/counts" && grep -q '^edge_checks [1-9]' "$room/counts"
 }
 says_not() { ! says "$@"; }

@@ -23,7 +23,7 @@ room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 # shellcheck source=tests/kit/holds.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../kit/holds.sh"
-unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 read -ra emulator <<<"${BOX2D_BUILDS_EMULATOR:?}"
 
 # steps PROGRAM SCENE NUMBER: sets REPLY to the instructions of the whole program; its output is $room/PROGRAM.NUMBER

@@ -17,7 +17,7 @@ trap 'rm -rf "$room"' EXIT
 source "$(dirname "${BASH_SOURCE[0]}")/../../kit/holds.sh"
 # What goes round for ever ends: many hundred times what a game needs of a processor, however busy the machine is.
 ulimit -t 120
-unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 
 # (Programs of Windows end their lines with two characters.)
 play() {

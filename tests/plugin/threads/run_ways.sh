@@ -11,7 +11,7 @@ stock=$1 plugin=$2 library=${3:-}
 steps=$(awk -v scale="${BMR_TEST_SCALE:-1}" 'BEGIN { n = int(60 * scale); print n < 12 ? 12 : n }')
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
-unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_TRIAL BOOMERANG_VERBOSE LD_PRELOAD
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 passed=0 failed=0
 
 verdict() { # NAME STATUS
