@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-//   worlds_back             exit status 0 where a world whose memory was put back plays as it did the first
-//   time worlds_back forgets     the same where the library's number is not put back, and the game calls
-//   bmr::Forget
+//   worlds_back           exit status 0 where a world whose memory was put back plays as the first time
+//   worlds_back forgets   the same where the library's number is not put back, and bmr::Forget is called
 //
 // A game with rollback: b2World and all that Box2D allocates lie in an arena, which is copied and put back.
 // A line for each way back; another run, with BOOMERANG=off, must print the same.
