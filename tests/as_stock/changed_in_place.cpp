@@ -48,6 +48,7 @@ struct Wheels : Game {
 AS_STOCK("between steps: other vertices, more or fewer of them, another radius; and contacts are asked for "
          "their manifolds") {
     Wheels game(run, 4, 3, 2.06f);
+    int points = 0;
     for (int step = 0; step < 300; ++step) {
         b2PolygonShape *shape = game.Shape(step, step * 5);
         if (step % 3 == 0)
@@ -61,12 +62,14 @@ AS_STOCK("between steps: other vertices, more or fewer of them, another radius; 
             c->Evaluate(&manifold, c->GetFixtureA()->GetBody()->GetTransform(),
                         c->GetFixtureB()->GetBody()->GetTransform());
             game.hash.Add(static_cast<uint32_t>(manifold.pointCount));
+            points += manifold.pointCount;
         }
         if (step < 150)
             game.Step();
         else // by a thread that has made no step
             std::thread([&game] { game.Step(); }).join();
     }
+    game.TookPlace(points, "contacts have points when they are asked");
 }
 
 // A pair apart from the wheels has a new contact in every step: it is the first to be updated, and begins.
@@ -87,6 +90,7 @@ AS_STOCK("editing: a listener changes vertices of bodies that were asked for in 
             game.Wall({30.2f, 0.3f});
         game.Step();
     }
+    game.TookPlace(told / 5, "vertices are changed");
 }
 
 // Two combs, apart from each other. The contacts of the first teeth are the oldest, so they are updated last;
@@ -121,8 +125,13 @@ AS_STOCK("turning: a sensor whose vertices were changed turns solid in the midst
         game.Step(3);
         growing->SetSensor(true);
         static_cast<b2PolygonShape *>(growing->GetShape())->SetAsBox(0.2f, 0.5f * grown);
-        game.listener.preSolve = [growing] { growing->SetSensor(false); };
+        int turned = 0;
+        game.listener.preSolve = [growing, &turned] {
+            turned += growing->IsSensor() ? 1 : 0;
+            growing->SetSensor(false);
+        };
         game.Step(5);
+        game.TookPlace(turned, "a sensor turns solid in a step");
     }
 }
 
@@ -174,8 +183,7 @@ AS_STOCK("resting: walls have another vertex, one more, another skin, place or a
         size_t hits = 0;
         for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
             hits += c->IsTouching();
-        if (hits != (changed ? walls.size() : 0))
-            run.Print("!%zu hits", hits);
+        game.Stage(hits == (changed ? walls.size() : 0), "walls are hit once they are changed");
     }
 }
 
@@ -198,7 +206,9 @@ AS_STOCK_HOW(kMayBeSilent, "linked: shots hit links of a long chain in one step"
             game.Awake(above, {0.05f, 0.05f})->SetLinearVelocity({0.0f, -100.0f});
         }
     game.Step();
+    int through = 0;
     for (const b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext())
-        if (body->GetPosition().y < 0.0f)
-            run.Print("!a shot went through");
+        through += body->GetPosition().y < 0.0f;
+    game.Stage(through == 0, "no shot goes through");
+    game.TookPlace(game.Touching(), "shots hit links");
 }

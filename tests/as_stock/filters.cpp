@@ -38,6 +38,7 @@ AS_STOCK("returning: a filter puts a body out of the world that is about to get 
         wheel->SetSleepingAllowed(false);
         PutOutWhenAsked(game, wheel);
         game.Step();
+        game.Stage(!wheel->IsEnabled(), "the filter puts it out");
         wheel->SetEnabled(true);
         if (round % 2 == 0) // asleep: what was there is not to be made once more
             game.Step();
@@ -65,6 +66,7 @@ AS_STOCK("places: a filter puts a body out of the world whose proxies have lower
         b2Body *wheel = game.Wheel({4.0f * Real(round) - 12.0f, 0.5f}, 7, 0.4f);
         PutOutWhenAsked(game, wheel);
         game.Step();
+        game.Stage(!wheel->IsEnabled(), "the filter puts it out");
         game.world.DestroyBody(wheel);
     }
 }
@@ -121,12 +123,17 @@ AS_STOCK("disabled: contacts are disabled whose bodies sleep, and are woken when
         body->SetLinearVelocity({0.0f, 0.0f});
         body->SetAwake(false);
     }
+    int disabled = 0;
     for (int step = 0; step < 20; ++step) {
         for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-            if (c->IsTouching())
+            if (c->IsTouching()) {
+                disabled +=
+                    !c->GetFixtureA()->GetBody()->IsAwake() && !c->GetFixtureB()->GetBody()->IsAwake();
                 c->SetEnabled(false);
+            }
         game.Step();
     }
+    game.TookPlace(disabled, "contacts of sleepers are disabled");
 }
 
 namespace {
@@ -180,7 +187,7 @@ void Do(int what, b2Body *a, b2Body *b) {
 void PlayAsked(Run &run, int what, bool locked) {
     Pairs game(run);
     bool first = true;
-    int times = 0;
+    int times = 0, done = 0;
     for (int step = 0; step < 6; ++step) {
         const size_t from = static_cast<size_t>(step) % 2;
         for (size_t i = from; what == kWake && i < game.ones.size(); i += 2)
@@ -197,13 +204,16 @@ void PlayAsked(Run &run, int what, bool locked) {
                 game.StepWithin(); // asks for all of them
                 game.Refilter();
             }
-            if (++times % 3 != 0)
+            if (++times % 3 != 0) {
                 Do(what, a->GetBody(), b->GetBody());
+                ++done;
+            }
         };
         game.Step();
     }
     game.filter.asked = nullptr;
     game.Step(3);
+    game.TookPlace(done, "the filter does something to those that it is asked about");
 }
 
 } // namespace

@@ -71,22 +71,30 @@ AS_STOCK(
         shot->SetBullet(false);
         shot->SetLinearVelocity({400.0f, 0.0f});
     }
-    game.listener.begin.Once([&shots] {
-        for (b2Body *shot : shots)
+    int made = 0;
+    game.listener.begin.Once([&shots, &made] {
+        for (b2Body *shot : shots) {
             shot->SetBullet(true);
+            ++made;
+        }
     });
     game.Step(3);
+    game.TookPlace(made, "the listener makes bullets");
+    game.TookPlace(Game::LeftOf(2.0f, shots), "shots are stopped");
 }
 
 // Box2D goes on at once.
 AS_STOCK("passed: a listener makes bullets of the shots, and disables the contact that it is told of") {
     Range range(run);
     range.Throw(180.0f, 240.0f);
-    range.listener.begin.Once([&range](b2Contact *contact) {
+    int passed = 0;
+    range.listener.begin.Once([&range, &passed](b2Contact *contact) {
         contact->SetEnabled(false);
         Range::MakeBullets(range.shots);
+        ++passed;
     });
     range.Step(4);
+    range.TookPlace(passed, "a contact is disabled as it begins");
 }
 
 AS_STOCK("met: a listener has bodies meet in a step of no time, which lean on each other when their islands "
@@ -113,6 +121,7 @@ AS_STOCK("halved: a listener has the step end with the first impact; between ste
     range.Shoot(180.0f, 240.0f);
     range.listener.begin.Once([&range] { range.world.SetSubStepping(true); });
     range.Step();
+    range.TookPlace(range.world.GetSubStepping() ? 1 : 0, "the step ends with an impact");
     range.world.SetSubStepping(false);
     Range::MakeBullets(range.leaning);
     range.Step(4);
@@ -135,9 +144,13 @@ AS_STOCK("pausing: between two sub-steps a game disables a contact whose impact 
     for (b2Body *shot : shots) // so that it is worth while to prove them apart
         shot->SetLinearVelocity({0.1f, 0.0f});
     game.Step(6);
-    for (b2ContactEdge *edge = shots[8]->GetContactList(); edge != nullptr; edge = edge->next)
+    int disabled = 0;
+    for (b2ContactEdge *edge = shots[8]->GetContactList(); edge != nullptr; edge = edge->next) {
         edge->contact->SetEnabled(false);
+        ++disabled;
+    }
     game.Step(20);
+    game.TookPlace(disabled, "a contact is disabled between two sub-steps");
 }
 
 // It is on its way back from the first wall, to a second one, as the loop over contacts passes it.
@@ -158,8 +171,13 @@ AS_STOCK("dozing: between two sub-steps a shot falls asleep, and the next listen
     shot->SetLinearVelocity({110.0f, 0.0f});
     game.Step();
     shot->SetAwake(false);
-    game.listener.preSolve.Once([shot] { shot->SetAwake(true); });
+    int woken = 0;
+    game.listener.preSolve.Once([shot, &woken] {
+        woken += shot->IsAwake() ? 0 : 1;
+        shot->SetAwake(true);
+    });
     game.Step(20);
+    game.TookPlace(woken, "the listener wakes the shot");
 }
 
 // A filter is asked about these.
@@ -178,6 +196,7 @@ AS_STOCK("geared: gear joints are made whose definitions name bodies that the jo
         range.world.CreateJoint(&gear);
         range.Step();
     }
+    range.TookPlace(range.filter.count, "the filter is asked about those that are named");
 }
 
 namespace {
@@ -208,6 +227,7 @@ void PlayFrame(Run &run, bool asleep) {
     }
     game.world.CreateJoint(&gear);
     game.Step(20);
+    game.Stage(!bodies[0]->IsEnabled() && game.world.GetJointCount() == 4, "a gear on a disabled frame");
     std::fesetround(FE_TONEAREST);
 }
 
@@ -239,15 +259,19 @@ AS_STOCK("recentred: a listener gives bodies other centres of mass, and throws t
     game.Leaning({0.0f, 90.0f});
     game.Listen();
     game.Step(4);
-    game.listener.preSolve.Once([&bars, &aslant] {
+    int thrown = 0;
+    game.listener.preSolve.Once([&bars, &aslant, &thrown] {
         float speed = 20.0f;
         for (b2Body *bar : bars) {
             bar->ResetMassData();
             bar->SetLinearVelocity(-speed * aslant.GetXAxis());
             speed += 0.5f;
+            ++thrown;
         }
     });
     game.Step(3);
+    game.TookPlace(thrown, "bars get other centres of mass");
+    game.TookPlace(game.Touching() - 1, "bars meet their plates");
 }
 
 namespace {
@@ -387,12 +411,16 @@ AS_STOCK_HOW(
         game.Throw();
         if (asks)
             game.Ask();
-        game.filter.asked = [&game](b2Fixture *a, b2Fixture *b) {
+        int bounced = 0;
+        game.filter.asked = [&game, &bounced](b2Fixture *a, b2Fixture *b) {
             const b2Vec2 v = b2Min(a->GetBody()->GetLinearVelocity(), b->GetBody()->GetLinearVelocity());
             game.filter.refuses = v.x < 0.0f; // it has bounced
+            bounced += game.filter.refuses ? 1 : 0;
             for (b2Body *shot : game.shots)
                 shot->SetBullet(game.filter.refuses);
         };
         game.Step(8);
+        bounced += asks ? 0 : Game::LeftOf(0.9f, shots) - Game::LeftOf(-0.5f, shots);
+        game.TookPlace(bounced, "a shot bounces");
     }
 }

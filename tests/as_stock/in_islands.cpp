@@ -259,9 +259,14 @@ AS_STOCK("by list: a listener comes to a world whose pairs nearly all touch, and
     game.Step();
     game.Listen();
     b2Contact *const late = ones[0]->GetContactList()->contact;
-    game.listener.preSolve = [late](b2Contact *contact) { contact->SetEnabled(contact != late); };
+    int disabled = 0;
+    game.listener.preSolve = [late, &disabled](b2Contact *contact) {
+        contact->SetEnabled(contact != late);
+        disabled += contact == late;
+    };
     ones[0]->SetTransform(ones[0]->GetPosition() - b2Vec2(0.105f, 0.0f), 0.0f);
     game.Step(4);
+    game.TookPlace(disabled, "the listener disables the contact");
 }
 
 namespace {
@@ -287,6 +292,7 @@ void PlaySliding(Run &run, float zero, int iterations) {
     b2Body *const floor = AddFloor(game);
     for (int i = 0; i < 12; ++i)
         game.Box({4.0f * Real(i), 1.5f});
+    int slid = 0;
     for (int step = 0; step < 60; ++step) {
         floor->SetLinearVelocity({zero, zero});
         int i = 0;
@@ -297,7 +303,9 @@ void PlaySliding(Run &run, float zero, int iterations) {
         }
         game.world.Step(1.0f / 60.0f, iterations, 3);
         game.WriteDown();
+        slid += game.Touching();
     }
+    game.TookPlace(slid, "boxes lie on the floor");
 }
 
 /// Balls far from each other on one ground: an island each, of which one hands the ground on to the next as
@@ -311,8 +319,10 @@ void PlayApart(Run &run, float drift, float fall) {
     for (int i = 0; i < 13; ++i)
         balls.push_back(game.Disk({4.0f * Real(i) - 24.0f, 1.5f}, 0.5f));
     game.Step(10);
+    game.TookPlace(game.Touching(), "balls lie on the ground");
     balls[10]->SetLinearVelocity({0.0f, -fall});
     game.Step(3);
+    game.Stage(std::isnan(balls[12]->GetPosition().y) == std::isinf(fall), "what is NaN is handed on");
 }
 
 /// Pairs of balls, one on the ground, the other pinned to it and to the first. One pair's velocity makes the
@@ -333,6 +343,7 @@ void PlayPinned(Run &run, b2BodyType type, size_t fast) {
     game.Step(10);
     balls[fast]->SetLinearVelocity({0.0f, -INFINITY});
     game.Step(3);
+    game.Stage(std::isnan(balls[fast]->GetPosition().y), "a pair is NaN");
 }
 
 } // namespace

@@ -47,7 +47,7 @@ void PlaySwitches(Run &run, bool listens) {
         before = bullet->GetPosition();
         game.Step();
     }
-    run.Print("%sswitches: %d", switches > 0 ? "" : "!", switches);
+    game.TookPlace(switches, "listeners change places");
 }
 
 } // namespace
@@ -64,8 +64,12 @@ AS_STOCK("brought: a filter brings the first listener while Box2D looks for impa
 AS_STOCK("turns: listeners take turns in the midst of being told") {
     for (auto callback : {&Listener::begin, &Listener::end, &Listener::preSolve, &Listener::postSolve}) {
         Falling game(run);
-        const auto giveWay = [&game](Listener &from, Listener &to) {
-            return [&] { game.world.SetContactListener(from.told % 3 == 0 ? nullptr : &to); };
+        int turns = 0;
+        const auto giveWay = [&game, &turns](Listener &from, Listener &to) {
+            return [&] {
+                game.world.SetContactListener(from.told % 3 == 0 ? nullptr : &to);
+                ++turns;
+            };
         };
         game.listener.*callback = giveWay(game.listener, game.other);
         game.other.*callback = giveWay(game.other, game.listener);
@@ -76,6 +80,8 @@ AS_STOCK("turns: listeners take turns in the midst of being told") {
         }
         game.hash.Add(static_cast<uint32_t>(game.other.told));
         game.WriteDown();
+        game.TookPlace(turns, "a listener gives way");
+        game.TookPlace(game.other.told, "the other one is told");
     }
 }
 
@@ -83,9 +89,12 @@ AS_STOCK("disables: a listener disables all contacts when one begins, and leaves
          "step") {
     for (const bool leaves : {false, true}) {
         Falling game(run);
-        game.listener.begin = [&game, leaves] {
-            for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+        int disabled = 0;
+        game.listener.begin = [&game, &disabled, leaves] {
+            for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext()) {
                 c->SetEnabled(false);
+                ++disabled;
+            }
             if (leaves)
                 game.world.SetContactListener(nullptr);
         };
@@ -94,6 +103,7 @@ AS_STOCK("disables: a listener disables all contacts when one begins, and leaves
             game.Step();
             AddEnabled(game);
         }
+        game.TookPlace(disabled, "contacts are disabled");
     }
 }
 
@@ -140,24 +150,30 @@ void SetSensors(b2Contact *contact, bool sensors) {
 AS_STOCK("solid: a sensor's contact begins, and turns solid; in a step of no time it stays enabled") {
     for (const bool still : {false, true}) {
         Changing game(run, true);
-        game.listener.begin = [still](b2Contact *contact) {
+        int turned = 0;
+        game.listener.begin = [&turned, still](b2Contact *contact) {
+            turned += contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor();
             SetSensors(contact, false);
             contact->SetEnabled(still);
         };
         game.Play(still ? 2 : 0);
+        game.TookPlace(turned, "a sensor's contact turns solid");
     }
 }
 
 AS_STOCK("emptied: a contact loses its points, and is disabled; in a step of no time it stays enabled") {
     for (const bool still : {false, true}) {
         Changing game(run, false);
-        game.listener.preSolve = [&game, still](b2Contact *contact) {
+        int emptied = 0;
+        game.listener.preSolve = [&game, &emptied, still](b2Contact *contact) {
             if (game.listener.told % 2 != 0 || game.isStill != still)
                 return;
             contact->SetEnabled(still);
+            emptied += contact->GetManifold()->pointCount > 0;
             contact->GetManifold()->pointCount = 0;
         };
         game.Play(still ? 2 : 0);
+        game.TookPlace(emptied, "a contact loses its points");
     }
 }
 
@@ -165,9 +181,11 @@ AS_STOCK("there and back: a contact loses its points, and is a sensor's until th
     for (const bool still : {false, true}) {
         Changing game(run, false);
         b2Contact *turned = nullptr;
-        game.listener.preSolve = [&game, &turned, still](b2Contact *contact) {
+        int back = 0;
+        game.listener.preSolve = [&game, &turned, &back, still](b2Contact *contact) {
             contact->SetEnabled(still);
             if (turned != nullptr) {
+                ++back;
                 SetSensors(turned, false);
                 turned = nullptr;
             } else if (game.listener.told % 2 == 0 && game.isStill == still) {
@@ -177,6 +195,7 @@ AS_STOCK("there and back: a contact loses its points, and is a sensor's until th
             }
         };
         game.Play(still ? 2 : 0);
+        game.TookPlace(back, "a contact is a sensor's, and back");
     }
 }
 
@@ -270,12 +289,16 @@ AS_STOCK("roused: a listener that is told of an island wakes bodies that sleep s
     for (b2Body *body : sleepers)
         body->SetAwake(false);
     game.Step(2);
-    game.listener.postSolve.Once([&sleepers] {
-        for (b2Body *body : sleepers)
+    int woken = 0;
+    game.listener.postSolve.Once([&sleepers, &woken] {
+        for (b2Body *body : sleepers) {
+            woken += body->IsAwake() ? 0 : 1;
             body->SetAwake(true);
+        }
         sleepers[0]->SetLinearVelocity({3.0f, 0.0f});
     });
     game.Step(5);
+    game.TookPlace(woken, "sleepers are woken");
 }
 
 namespace {
@@ -303,12 +326,15 @@ struct Heap : Game {
 AS_STOCK_HOW(kModest,
              "modest: listeners push and wake bodies, and change the contact that they are told of") {
     Heap game(run);
-    game.listener.preSolve = [&game](b2Contact *contact) {
+    int woken = 0;
+    game.listener.preSolve = [&game, &woken](b2Contact *contact) {
         contact->SetEnabled(game.listener.told % 5 != 0);
         contact->SetFriction(0.1f * Real(game.listener.told % 7));
-        if (game.listener.told % 7 == 0)
-            game.sleepers[static_cast<size_t>(game.listener.told) % game.sleepers.size()]
-                ->ApplyLinearImpulseToCenter({0.2f, 3.0f}, true);
+        if (game.listener.told % 7 != 0)
+            return;
+        b2Body *const sleeper = game.sleepers[static_cast<size_t>(game.listener.told) % game.sleepers.size()];
+        woken += sleeper->IsAwake() ? 0 : 1;
+        sleeper->ApplyLinearImpulseToCenter({0.2f, 3.0f}, true);
     };
     game.listener.end = [](b2Contact *contact) { contact->SetEnabled(false); };
     game.listener.postSolve = [](b2Contact *contact) {
@@ -325,6 +351,7 @@ AS_STOCK_HOW(kModest,
             game.hash.Add(c->IsEnabled() ? 1u : 0u);
         game.world.DestroyBody(shot);
     }
+    game.TookPlace(woken, "a push wakes a sleeper");
 }
 
 AS_STOCK_HOW(kModest, "modest: a listener wakes, in an impact, who fell asleep in the same step") {
@@ -348,8 +375,7 @@ AS_STOCK_HOW(kModest, "modest: a listener wakes, in an impact, who fell asleep i
         game.hash.Add(bmr::SweepOf(*rests).alpha0);
     }
     game.Step(1);
-    if (woken == 0)
-        run.Print("!nobody was woken");
+    game.TookPlace(woken, "the listener wakes one");
 }
 
 TEST_CASE("immodest: when verifying, a broken promise is a difference") {

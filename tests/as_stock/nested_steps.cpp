@@ -77,16 +77,19 @@ AS_STOCK("pairs: a listener has new contacts looked for") {
     Game game(run, {0.0f, -10.0f});
     AddShots(game, 30, 3.0f);
     game.Listen();
-    game.listener.begin = Every(2, kAlways, [&game] {
+    int looked = 0;
+    game.listener.begin = Every(2, kAlways, [&game, &looked] {
         const_cast<b2ContactManager &>(game.world.GetContactManager()).FindNewContacts();
+        ++looked;
     });
     game.Step(100);
+    game.TookPlace(looked, "new contacts are looked for");
 }
 
 namespace {
 
 ucontext_t places[2], outside;
-int running = 0;
+int running = 0, yielded = 0;
 bool over[2] = {false, false};
 Run *runOfFibers = nullptr;
 
@@ -94,6 +97,7 @@ void Yield() {
     const int mine = running, other = 1 - mine;
     if (over[other])
         return;
+    ++yielded;
     running = other;
     swapcontext(&places[mine], &places[other]);
 }
@@ -124,6 +128,7 @@ AS_STOCK("fibers: a listener leaves one step for another on a second stack, and 
         makecontext(&places[i], reinterpret_cast<void (*)()>(PlayFiber), 1, i);
     }
     swapcontext(&outside, &places[0]);
+    run.Stage(yielded > 0, "a step is left for another");
 }
 
 AS_STOCK("small: a thread with a stack of 16 KiB steps") {
@@ -147,6 +152,7 @@ AS_STOCK("small: a thread with a stack of 16 KiB steps") {
         pthread_join(thread, nullptr);
     pthread_attr_destroy(&attributes);
     game.WriteDown();
+    game.TookPlace(game.world.GetContactCount(), "the thread's steps make contacts");
 }
 
 AS_STOCK("sums: in one loop over contacts a body is moved far away and back again and again, and then onto "

@@ -29,7 +29,7 @@ void PlayRounded(Run &run, int mode, When when) {
     game.Wheel({-2.0f, 24.0f}, 24, 1.5f);
     if (when == When::kListening)
         game.Listen();
-    int calls = 0;
+    int calls = 0, rounded = 0;
     game.listener.begin = [&calls, mode] { std::fesetround(++calls % 2 == 0 ? mode : FE_TONEAREST); };
     for (int step = 0; step < 150; ++step) {
         if (when == When::kLater && step == 40)
@@ -38,8 +38,11 @@ void PlayRounded(Run &run, int mode, When when) {
             std::fesetround(step % 3 == 2 ? mode : FE_TONEAREST);
         game.Step();
         AddBounds(game);
+        rounded += std::fegetround() == mode;
     }
     std::fesetround(FE_TONEAREST);
+    game.TookPlace(rounded, "steps are rounded otherwise");
+    game.TookPlace(game.Touching(), "boxes touch");
 }
 
 void PlayAll(When when) {
@@ -73,10 +76,13 @@ AS_STOCK_HOW(kMayBeSilent, "turned: PostSolve changes how a thread is rounded, a
             game.Awake({0.93f * Real(i % 20), 4.0f * Real(i / 20)})->SetAngularVelocity(Real(i));
         game.Listen();
         game.listener.postSolve = [mode] { std::fesetround(mode); };
+        int turned = 0;
         for (int step = 0; step < 4; ++step) {
             game.Step();
+            turned += std::fegetround() == mode;
             std::fesetround(FE_TONEAREST);
         }
+        game.TookPlace(turned, "the other rounding stays");
     }
 }
 
@@ -91,6 +97,7 @@ AS_STOCK("trapped: a program sets traps, and bodies without mass are deep in eac
         body->ResetMassData();
     }
     game.Step(20);
+    game.TookPlace(game.Touching(), "bodies without mass touch");
 }
 
 // The oldest pair touches. By the time that its turn comes, the loop has passed pairs that fly at each other,
@@ -155,6 +162,7 @@ b2Body *AddTip(Game &game, b2BodyType type, b2Vec2 at, float direction, std::min
 void PlayCorners(Run &run, float far) {
     constexpr int kSteps = 60;
     Game game(run);
+    int met = 0;
     std::minstd_rand random(static_cast<uint32_t>(far));
     struct Pair {
         b2Body *moved;
@@ -175,7 +183,9 @@ void PlayCorners(Run &run, float far) {
             pair.moved->SetAngularVelocity(0.0f);
         }
         game.Step();
+        met += game.Touching();
     }
+    game.TookPlace(met, "tips meet");
 }
 
 } // namespace
@@ -194,6 +204,7 @@ AS_STOCK("slow: needles turn by next to nothing in each step, until they meet") 
                 game.Awake({out + 3.0f * Real(i), side}, {1.0f, 0.02f})
                     ->SetAngularVelocity((side > 0.0f ? -0.0006f : 0.0006f) * Real(i + 1));
         game.Step(4000);
+        game.TookPlace(game.Touching(), "needles meet");
     }
 }
 
@@ -214,6 +225,7 @@ AS_STOCK("trees: any boxes in trees of a game's own") {
                 treeplay::EachWord(tree, [&game](uint32_t word) { game.hash.Add(word); });
         }
         game.WriteDown();
+        game.TookPlace(tree.GetHeight(), "there are boxes in the tree");
     }
     game.Step(100);
 }

@@ -29,20 +29,26 @@ AS_STOCK("hit: the top of a stack is taken away in the step in which it wakes") 
     constexpr int kHigh = 3;
     Game game(run, {0.0f, -10.0f});
     game.Wall({0.0f, -1.0f}, {500.0f, 1.0f});
-    std::vector<b2Body *> tops;
+    std::vector<b2Body *> tops, below;
+    int woken = 0;
     for (int i = 0; i < 150; ++i)
         for (int k = 0; k < kHigh; ++k) {
             b2Body *const box = game.Box({-200.0f + 1.06f * Real(i), 0.5f + Real(k)});
             if (k == kHigh - 1 && i % 5 == 3)
                 tops.push_back(box);
+            if (k == 0 && i % 5 == 3)
+                below.push_back(box);
         }
     game.Awake({350.0f, 3.0f});
     game.Step(300);
     for (size_t i = 0; i < 12; ++i) {
+        const bool slept = !below[i]->IsAwake();
         tops[i]->SetAwake(true);
         tops[i]->SetTransform({0.0f, 60.0f + 2.0f * Real(static_cast<int>(i))}, 0.0f);
         game.Step(5);
+        woken += slept && below[i]->IsAwake();
     }
+    game.TookPlace(woken, "the end of a contact wakes the rest of a stack");
 }
 
 AS_STOCK("joint: a sleeper is made a bullet, and is woken by a joint while islands are built") {
@@ -59,35 +65,44 @@ AS_STOCK("joint: a sleeper is made a bullet, and is woken by a joint while islan
         game.Tie(pulling.back(), pulled.back());
     }
     game.Step(120);
+    int woken = 0;
     for (size_t i = 0; i < pulling.size(); ++i) {
+        const bool slept = !pulled[i]->IsAwake();
         pulled[i]->SetBullet(true);
         Drive(pulling[i]);
         game.Step(3);
+        woken += slept && pulled[i]->IsAwake();
     }
+    game.TookPlace(woken, "a joint wakes a sleeper");
 }
 
 AS_STOCK("driven: sleepers are woken while islands are built, by a joint or by who touches them, and get "
          "contacts in that very step") {
     Game game(run);
     AddOthers(game);
-    std::vector<b2Body *> drivers;
+    std::vector<b2Body *> drivers, sleepers;
     for (int i = 0; i < 12; ++i) {
         const float y = 4.0f * Real(i);
         const bool joined = i % 2 == 0;
         drivers.push_back(game.Box({joined ? 8.0f : -0.99f, y}));
         b2Body *const driven = game.Box({0.0f, y});
+        sleepers.push_back(driven);
         game.Wall({1.6f, y + 0.3f}); // in its way
         if (joined)
             game.Tie(drivers.back(), driven);
     }
     game.Step(90);
+    int woken = 0;
     for (b2Body *driver : drivers) {
         Drive(driver);
         game.Step();
+        for (const b2Body *sleeper : sleepers)
+            woken += sleeper->IsAwake() && sleeper->GetContactList() != nullptr;
         for (b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext())
             if (body->IsSleepingAllowed())
                 body->SetAwake(false);
     }
+    game.TookPlace(woken, "a sleeper is woken, and has a contact");
 }
 
 namespace {
@@ -114,20 +129,27 @@ AS_STOCK("slept: contacts are disabled until their bodies fall asleep, which are
         }
         game.Step(3);
         game.world.SetContinuousPhysics(way == 0);
+        int disabled = 0, woken = 0;
         std::thread([&] {
             isWithoutMemory = way == 2;
             while (driven.front()->IsAwake()) {
                 for (b2Body *body : driven)
-                    for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
+                    for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
                         edge->contact->SetEnabled(false);
+                        ++disabled;
+                    }
                 game.Step();
             }
         }).join();
         game.world.SetContinuousPhysics(true);
-        for (b2Body *driver : drivers) {
-            Drive(driver);
+        for (size_t i = 0; i < drivers.size(); ++i) {
+            const bool slept = !driven[i]->IsAwake();
+            Drive(drivers[i]);
             game.Step();
+            woken += slept && driven[i]->IsAwake();
         }
+        game.TookPlace(disabled, "contacts are disabled");
+        game.TookPlace(woken, "sleepers are driven");
     }
 }
 
@@ -146,14 +168,20 @@ AS_STOCK(
         body->SetAwake(false);
     game.Step(40); // until Bodies finds that few are awake
     pulling->SetAwake(true);
-    game.listener.postSolve.Once([leaning] { leaning->SetAwake(true); });
+    int woken = 0;
+    game.listener.postSolve.Once([leaning, &woken] {
+        woken += leaning->IsAwake() ? 0 : 1;
+        leaning->SetAwake(true);
+    });
     game.Step(5);
+    game.TookPlace(woken, "the listener wakes one that leans");
 }
 
 AS_STOCK("displaced: bullets hit a floor in one step after the other, some of them rounded upward; all else "
          "sleeps") {
     for (const bool upward : {false, true}) {
         Game game(run);
+        std::vector<b2Body *> bullets;
         AddOthers(game);
         game.Wall({0.0f, 0.0f}, {60.0f, 0.02f});
         for (int i = 0; i < 16; ++i) { // two hit in steps that follow each other, the second one earlier
@@ -162,12 +190,17 @@ AS_STOCK("displaced: bullets hit a floor in one step after the other, some of th
             b2Body *const bullet = game.Box({3.0f * Real(i - 8), 0.12f + hit}, {0.1f, 0.1f});
             bullet->SetBullet(true);
             bullet->SetLinearVelocity({0.0f, -60.0f});
+            bullets.push_back(bullet);
         }
         for (int i = 0; i < 32; ++i) {
             std::fesetround(upward && i % 3 == 1 ? FE_UPWARD : FE_TONEAREST);
             game.Step();
         }
         std::fesetround(FE_TONEAREST);
+        int stopped = 0;
+        for (const b2Body *bullet : bullets)
+            stopped += bullet->GetPosition().y > 0.0f;
+        game.TookPlace(stopped, "the floor stops bullets");
     }
 }
 
@@ -186,10 +219,14 @@ AS_STOCK("order: bodies go, and as many come at the places of those in memory, i
         for (int i = 0; i < 8; ++i)
             bodies.push_back(add(i));
         game.Step();
+        const b2Body *const places[] = {bodies[7], bodies[2]};
         for (const size_t i : {size_t{7}, size_t{2}})
             game.world.DestroyBody(bodies[i]);
         bodies[2] = add(2);
         bodies[7] = add(7);
+        for (const b2Body *place : places)
+            game.TookPlace((bodies[2] == place) + (bodies[7] == place),
+                           "a body comes at the place of another");
         for (size_t i = 0; i < bodies.size(); ++i)
             bodies[i]->SetLinearVelocity({0.0f, i % 2 == 0 ? -30.0f : -24.0f});
         game.Step(3);
@@ -212,6 +249,7 @@ void PlayLapse(Run &run, Lapse lapse) {
     // (Of boxes the library is told.)
     b2Body *const one = game.Disk({0.0f, 0.0f}, 0.5f), *const other = game.Disk({1.03f, 0.0f}, 0.5f);
     game.Tie(pulling, one);
+    int met = 0;
     for (const float x : {0.0f, 0.99f}) // touch, so that a listener is called ahead of impacts
         game.Awake({x, 200.0f});
     game.listener.postSolve = [] { std::fesetround(FE_UPWARD); };
@@ -227,6 +265,7 @@ void PlayLapse(Run &run, Lapse lapse) {
         one->SetAwake(true);
         one->SetLinearVelocity({3.0f, 0.0f});
         game.Step(4);
+        met += game.Touching() > 1;
         std::fesetround(FE_TONEAREST);
     } else {
         if (lapse == Lapse::kRoundedImpact)
@@ -238,6 +277,7 @@ void PlayLapse(Run &run, Lapse lapse) {
             game.Step();
             std::fesetround(FE_TONEAREST);
         }
+        met += one->GetContactList() != nullptr && game.Touching() > 1;
         world.SetContactListener(nullptr);
         one->SetBullet(false);
         bullet->SetTransform({-50.0f, 0.0f}, 0.0f);
@@ -250,6 +290,7 @@ void PlayLapse(Run &run, Lapse lapse) {
         pulling->SetLinearVelocity({0.0f, 20.0f});
         game.Step();
     }
+    game.TookPlace(met, "two that slept come to touch");
 }
 
 } // namespace

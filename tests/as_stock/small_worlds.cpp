@@ -378,11 +378,16 @@ template <size_t count> void PlayAll(Run &run, const SmallWorld (&worlds)[count]
         run.Print("%s", world.name);
         Game game(run, {0.0f, -world.gravity});
         world.build(game.world);
+        int met = 0;
         for (int step = 0; step < 600; ++step) {
             if (world.play != nullptr)
                 world.play(game.world, step);
             game.Step();
+            for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+                met += c->IsTouching();
         }
+        game.Stage(met + game.world.GetJointCount() > 0 || game.world.GetBodyCount() == 0,
+                   "bodies touch, or are joined");
     }
 }
 

@@ -86,6 +86,7 @@ AS_STOCK("a sensor's polygon does not enter its body's hull") {
     game.Plank(b);
     b->SetLinearVelocity(Slanted(0.01f, 0.0f));
     game.Step(100);
+    game.Stage(game.world.GetContactCount() > 1 && game.Touching() == 0, "planks near each other");
     const bmr::Counted s = bmr::internal::ReadCounts();
     if (run.Counts() && run.RemembersEdges())
         run.Expect(s.provedApart > 4 * s.edgeChecks, "the body pair answers for the planks");
@@ -178,5 +179,6 @@ AS_STOCK("bullets and sub-steps move bodies in the middle of a step") {
             bullet->SetAngularVelocity(20.0f);
         }
         game.Step(subStepping ? 90 : 60);
+        game.TookPlace(game.listener.told, "bullets meet the others");
     }
 }

@@ -210,7 +210,10 @@ public:
         }
     }
     /// A step in the midst of another: what it did is written down with that one.
-    void StepWithin(float seconds = 0.0f, int iterations = 1) { world.Step(seconds, iterations, iterations); }
+    void StepWithin(float seconds = 0.0f, int iterations = 1) {
+        m_run.BreaksRules();
+        world.Step(seconds, iterations, iterations);
+    }
     void WriteDown() {
         hash.Add(world);
         m_run.Print("%d contacts, %d told, %d asked, %016" PRIx64, static_cast<int>(world.GetContactCount()),
@@ -224,7 +227,16 @@ public:
             count += c->IsTouching() && !c->GetFixtureA()->IsSensor() && !c->GetFixtureB()->IsSensor();
         return count;
     }
+    /// How many of the bodies are on the left of x: what came from there was stopped.
+    static int LeftOf(float x, const std::vector<b2Body *> &bodies) {
+        int count = 0;
+        for (const b2Body *body : bodies)
+            count += body->GetPosition().x < x;
+        return count;
+    }
     void Stage(bool holds, const char *what) { m_run.Stage(holds, what); }
+    /// How often that happened which the game is about: it has to.
+    void TookPlace(int count, const char *what) { m_run.Stage(count > 0, what); }
     /// Games about structures of bodies are void without one.
     void StagePairs() {
         const bmr::Counted counted = bmr::internal::ReadCounts();

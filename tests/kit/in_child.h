@@ -82,6 +82,7 @@ public:
     }
     /// A claim about the library's own doing: a failure of this run if it is false. Stock has none.
     void Expect(bool holds, const char *claim) {
+        m_stages = true;
         if (HasPlugin() && !holds)
             Print("!claim broken: %s", claim);
     }
@@ -92,9 +93,13 @@ public:
     }
     /// Takes place in stock too: a staging mistake, not a difference.
     void Stage(bool holds, const char *what) {
+        m_stages = true;
         if (!holds)
             Print("!not staged: %s", what);
     }
+    /// A game that breaks Box2D's rules need not say what takes place: bits may differ from there on.
+    void BreaksRules() { m_breaksRules = true; }
+    bool SaysWhatTookPlace() const { return m_stages || m_breaksRules; }
 
 private:
     static constexpr size_t kBuffer = 60000;
@@ -112,6 +117,7 @@ private:
     int m_pipe;
     const bmr::Options *m_options;
     std::string m_text;
+    bool m_stages = false, m_breaksRules = false;
 };
 
 /// Bytes that malloc has given out, some hundreds more or less: what it keeps at hand for the thread counts,
