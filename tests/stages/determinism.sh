@@ -5,7 +5,7 @@
 # build_library NAME COMPILER C++-COMPILER FLAGS: the plugin's library alone, in a tree of its own.
 build_library() {
     build_tree "$1" release "-DCMAKE_C_COMPILER=$2" "-DCMAKE_CXX_COMPILER=$3" "-DCMAKE_C_FLAGS_RELEASE=$4" \
-        "-DCMAKE_CXX_FLAGS_RELEASE=$4" -DBOOMERANG_BUILD_TESTS=OFF -DBOOMERANG_BUILD_BENCHMARKS=OFF \
+        "-DCMAKE_CXX_FLAGS_RELEASE=$4" -DBOOMERANG_BUILD_TESTS=OFF \
         -DBOOMERANG_BUILD_TESTBED=OFF -DBOOMERANG_BUILD_KINETIC=OFF \
         -DBOOMERANG_WARNINGS_AS_ERRORS=ON -- boomerang_box2d &&
         libraries+=(--library "$1=$BMR_BUILD_DIR/lib")

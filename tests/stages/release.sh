@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# all programs, tests and benchmarks with gcc -O3; all tests
+# all programs and tests with gcc -O3; all tests
 
 # The testbed is compiled the quick way here; that each file includes what it needs shows in the tree of the sanitizers of a
 # long run.
@@ -8,7 +8,7 @@
 build_release() {
     local rooms=''
     [ "$long" = yes ] || rooms='gate;as_stock;front;plugin;plugin/hooks;plugin/threads;contracts;claims/steps'
-    build_tree release release "-DBOOMERANG_TEST_ROOMS=$rooms" -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_BUILD_BENCHMARKS=ON -DBOOMERANG_QUICK_BUILD=ON \
+    build_tree release release "-DBOOMERANG_TEST_ROOMS=$rooms" -DBOOMERANG_BUILD_TESTS=ON -DBOOMERANG_QUICK_BUILD=ON \
         -DBOOMERANG_WARNINGS_AS_ERRORS=ON
 }
 

@@ -228,7 +228,7 @@ plain)
         # shellcheck source=tools/setup.sh
         source "$SOURCE/tools/setup.sh"
         BMR_BUILD_DIR=$out
-        bmr_configure release -DBOOMERANG_BUILD_BOX2D=OFF -DBOOMERANG_BUILD_TESTS=OFF -DBOOMERANG_BUILD_BENCHMARKS=OFF
+        bmr_configure release -DBOOMERANG_BUILD_BOX2D=OFF -DBOOMERANG_BUILD_TESTS=OFF
     ) || fail "the scripts cannot use a tree for make"
     grep -q '^CMAKE_GENERATOR:INTERNAL=Unix Makefiles$' "$out/CMakeCache.txt" || fail "the tree has another generator"
     # Asked for by name, it is not left out.
