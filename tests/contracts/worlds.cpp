@@ -30,8 +30,6 @@ struct Way {
 const std::vector<Way> kWays = {
     {"linked ahead", true, {"BOOMERANG=on"}},
     {"preloaded", false, {}},
-    {"preloaded, pairs by `free-direction`", false, {"BOOMERANG_PAIRS_BY=free-direction"}},
-    {"pairs by `lazy-dudley`", false, {"BOOMERANG_PAIRS_BY=lazy-dudley"}},
     {"`BOOMERANG=verify`", false, {"BOOMERANG=verify"}},
 };
 
