@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The total update time of the theorems: the elementary steps of all repairs of a whole motion (tests/claims/steps
-// shows that these are the time), as a function of the separation and of the number of vertices.
+// The total update time of the theorems: the elementary steps of all repairs of a whole motion
+// (tests/claims/steps shows that these are the time), as a function of the separation and of the number of
+// vertices.
 #include "checks.h"
 #include "kds_driver.h"
 #include "motions.h"

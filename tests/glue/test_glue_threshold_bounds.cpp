@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The thresholds re-derived (box2d_glue/proofs/thresholds.md) by interval arithmetic: what Box2D's float arithmetic, and
-// the glue's own, may be off by, for all rotations and directions at once, is no more than thresholds.h
-// leaves.
+// The thresholds re-derived (box2d_glue/proofs/thresholds.md) by interval arithmetic: what Box2D's float
+// arithmetic, and the glue's own, may be off by, for all rotations and directions at once, is no more than
+// thresholds.h leaves.
 //
 // Angles are covered by cells. Sizes need none: every bound here is a sum of lengths of linear functions of
 // the sizes, so it is sublinear in them, f(x + y) <= f(x) + f(y) and f(k x) = k f(x), and what is left for it
