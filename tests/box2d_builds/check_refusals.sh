@@ -29,6 +29,7 @@ other='this is not Box2D 2.4.1 or 2.4.2'
 refuses missing 'there is no such target'
 refuses imported 'nothing is compiled for this target'
 refuses interface 'nothing is compiled for this target'
+refuses links 'the target does not compile b2_world.cpp; name the one that does: boomerang_accelerate(sources)'
 refuses no_world 'the target does not compile b2_world.cpp'
 refuses no_fixture "$other: the target does not compile b2_fixture.cpp"
 refuses rope 'this is Box2D 2.4.0'

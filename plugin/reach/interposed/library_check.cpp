@@ -54,6 +54,9 @@ std::atomic<bool> programHasItsOwn{false};
 constexpr char kStep[] = "_ZN7b2World4StepEfii";
 constexpr char kWorld[] = "_ZN7b2WorldC1ERK6b2Vec2"; ///< its constructor, which no wrapper has
 constexpr char kCompiledIn[] = "the Box2D of this process is compiled with Boomerang already";
+constexpr char kOwnMemory[] =
+    "the program defines b2Alloc_Default or b2Free_Default itself, which Box2D's library has, too. "
+    "Compile Box2D with the program (boomerang_accelerate)";
 constexpr char kInside[] = "the program has a Box2D of its own inside (boomerang_accelerate is for that)";
 
 const void *OurFile() {
@@ -183,6 +186,10 @@ const char *WhyLibraryIsUnknown() {
         return kCompiledIn;
     if (programHasItsOwn)
         return kInside;
+    // (Some builds of Box2D call these two by name, others their own.)
+    if (IsInProgram(Find("_Z15b2Alloc_Defaulti")) != IsInProgram(Find(kStep)) ||
+        IsInProgram(Find("_Z14b2Free_DefaultPv")) != IsInProgram(Find(kStep)))
+        return kOwnMemory;
     const void *library = nullptr;
     for (const Symbol &symbol : kSymbols) {
         const void *found = Find(symbol.name);
