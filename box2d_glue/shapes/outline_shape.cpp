@@ -75,7 +75,37 @@ private:
     bmr_rings m_rings = {};
 };
 
-bmr_error CheckRange(const bmr_rings &rings) {
+// Of an outline's area, the part that may come or go where its points are rounded to floats. For a shape of a
+// metre within 10 km of the origin it is less.
+constexpr double kMostOfArea = 0.01;
+
+/// Are the points of the outline so far from the origin, for its size, that floats have another shape?
+/// Rounding moves no point by more than `off`, and so the area by no more than `off` times the perimeter.
+bool IsLostInFloats(const bmr_rings &rings, double area) {
+    double off = 0.0, perimeter = 0.0;
+    const bmr_vec2 *ring = rings.points;
+    for (uint32_t r = 0; r < rings.ring_count; ring += rings.counts[r++])
+        for (uint32_t i = 0; i < rings.counts[r]; ++i) {
+            const bmr_vec2 p = ring[i], next = ring[i + 1 < rings.counts[r] ? i + 1 : 0];
+            const auto lost = [](double x) { return x - static_cast<double>(static_cast<float>(x)); };
+            off = std::fmax(off, std::hypot(lost(p.x), lost(p.y)));
+            perimeter += std::hypot(next.x - p.x, next.y - p.y);
+        }
+    return off * perimeter > kMostOfArea * area;
+}
+
+/// The point is named in `*fault`, which may be nullptr.
+void TellOfPoint(const bmr_rings &rings, uint64_t point, OutlineFault *fault) {
+    if (fault == nullptr)
+        return;
+    int32 ring = 0;
+    for (uint64_t first = 0; point - first >= rings.counts[ring]; ++ring)
+        first += rings.counts[ring];
+    *fault = {{static_cast<int32>(point), -1}, {ring, -1}, b2Vec2_zero};
+    fault->where.Set(static_cast<float>(rings.points[point].x), static_cast<float>(rings.points[point].y));
+}
+
+bmr_error CheckRange(const bmr_rings &rings, OutlineFault *fault) {
     if (rings.counts == nullptr && rings.ring_count > 0)
         return BMR_ERROR_NULL_ARGUMENT;
     uint64_t count = 0;
@@ -87,10 +117,11 @@ bmr_error CheckRange(const bmr_rings &rings) {
         return BMR_ERROR_NULL_ARGUMENT;
     for (uint64_t i = 0; i < count; ++i) {
         const bmr_vec2 p = rings.points[i];
-        if (!std::isfinite(p.x) || !std::isfinite(p.y))
-            return BMR_ERROR_NOT_FINITE;
-        if (std::fabs(p.x) > BMR_MAX_COORDINATE || std::fabs(p.y) > BMR_MAX_COORDINATE)
-            return BMR_ERROR_OUT_OF_RANGE;
+        const bool isFinite = std::isfinite(p.x) && std::isfinite(p.y);
+        if (isFinite && std::fabs(p.x) <= BMR_MAX_COORDINATE && std::fabs(p.y) <= BMR_MAX_COORDINATE)
+            continue;
+        TellOfPoint(rings, i, fault);
+        return isFinite ? BMR_ERROR_OUT_OF_RANGE : BMR_ERROR_NOT_FINITE;
     }
     return BMR_OK;
 }
@@ -116,6 +147,8 @@ bmr_error MakeRecord(const bmr_rings *rings, float tolerance, const bmr_allocato
         return error;
     bmr_mass mass;
     error = bmr_outline_mass(rings, &mass);
+    if (error == BMR_OK && IsLostInFloats(*rings, mass.area))
+        error = BMR_ERROR_FAR_FROM_ORIGIN;
     if (error == BMR_OK)
         error = MakeOutlineRecord(*pieces, mass, record);
     bmr_outline_pieces_destroy(pieces, allocator);
@@ -156,7 +189,7 @@ bmr_error OutlineShape::Set(const b2Vec2 *points, int32 count, const OutlineHole
 
 bmr_error OutlineShape::Set(const bmr_rings &rings, float tolerance, OutlineFault *fault) {
     const NearestRounding nearest; // outlines outlast the mode that they are made in
-    bmr_error error = CheckRange(rings);
+    bmr_error error = CheckRange(rings, fault);
     if (error == BMR_OK)
         error = RegisterConvexContacts();
     if (error != BMR_OK)

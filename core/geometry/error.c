@@ -17,7 +17,9 @@ const char *bmr_error_describe(bmr_error error) {
         return "a number is NaN or infinite: look for a division by zero or an overflow where it was made";
     case BMR_ERROR_OUT_OF_RANGE:
         return "a number is outside of what the call takes: coordinates up to 1e9, polygons and their areas "
-               "not next to nothing, sizes above 0; the call's comment has the rest";
+               "not next to nothing, sizes above 0 (for a repair's coordinates, a larger snap helps); the "
+               "call's "
+               "comment has the rest";
     case BMR_ERROR_NO_MEMORY:
         return "the allocator had no memory: nothing was changed, so free some and call again";
     case BMR_ERROR_NOT_CONVEX:
@@ -46,7 +48,8 @@ const char *bmr_error_describe(bmr_error error) {
         return "two points are so close together that they would become one: leave one out, or make the "
                "polygon larger";
     case BMR_ERROR_NEGATIVE:
-        return "a count, a tolerance, a density or a friction is below 0: give 0 or more";
+        return "a count, a tolerance, a density or a friction is below 0: give 0 or more (and a snap above "
+               "0)";
     case BMR_ERROR_CORNER_TOO_LARGE:
         return "the corner's radius is more than half of a side: make it at most the half width and the half "
                "height";
@@ -74,8 +77,10 @@ const char *bmr_error_describe(bmr_error error) {
     case BMR_ERROR_WORLD_LOCKED:
         return "the body's world is in the middle of a step: change its fixtures before or after it";
     case BMR_ERROR_FAR_FROM_ORIGIN:
-        return "the shapes are too far from the origin of their body for floats to hold its inertia: put the "
-               "body's origin near its shapes, or fix its rotation";
+        return "the shapes are too far from the origin of their body for floats to hold its inertia, or the "
+               "points of an outline for floats to hold its area: put the origin near the shapes (subtract "
+               "one "
+               "from all points), or fix the rotation";
     case BMR_ERROR_COUNT:
         break;
     }

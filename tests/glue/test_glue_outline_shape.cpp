@@ -226,6 +226,45 @@ TEST_CASE("each fault has its place, and what is as far as can be is none") {
     CHECK(body->GetFixtureList() == nullptr);
 }
 
+TEST_CASE("rings in doubles that floats cannot hold are refused, and hold where an origin is subtracted") {
+    const bmr_vec2 origin = {141.1081, -23.8278}; // degrees on a map
+    bmr_vec2 corners[3] = {{origin.x, origin.y}, {origin.x + 1e-4, origin.y}, {origin.x, origin.y + 1e-4}};
+    const uint32_t count = 3;
+    const bmr_rings rings = {corners, &count, 1};
+    OutlineShape outline = Elbow();
+    const int32 before = outline.GetPieceCount();
+    CHECK(outline.Set(rings) == BMR_ERROR_FAR_FROM_ORIGIN);
+    CHECK(outline.GetPieceCount() == before);
+    for (bmr_vec2 &corner : corners)
+        corner = {corner.x - origin.x, corner.y - origin.y};
+    REQUIRE(outline.Set(rings) == BMR_OK);
+    b2MassData mass;
+    outline.ComputeMass(&mass, 1.0f);
+    CHECK(static_cast<double>(mass.mass) == doctest::Approx(0.5e-8).epsilon(1e-5));
+    // What floats hold exactly may be as far as it likes.
+    const bmr_vec2 exact[3] = {{1e6, 1e6}, {1e6 + 0.125, 1e6}, {1e6, 1e6 + 0.125}};
+    CHECK(outline.Set(bmr_rings{exact, &count, 1}) == BMR_OK);
+}
+
+TEST_CASE("a coordinate that is no number is named by its point") {
+    bmr_vec2 points[] = {{-3, -1}, {3, -1}, {3, 1}, {-3, 1}, {0, -0.5}, {2, -0.5}, {2, 0.5}, {0, 0.5}};
+    const uint32_t counts[] = {4, 4};
+    const bmr_rings rings = {points, counts, 2};
+    OutlineShape outline;
+    OutlineFault fault = {};
+    for (const double wrong : {static_cast<double>(NAN), 2e9}) {
+        points[6].x = wrong;
+        CHECK(outline.Set(rings, 0.0f, &fault) ==
+              (wrong == 2e9 ? BMR_ERROR_OUT_OF_RANGE : BMR_ERROR_NOT_FINITE));
+        CHECK(fault.edge[0] == 6);
+        CHECK(fault.edge[1] == -1);
+        CHECK(fault.ring[0] == 1);
+        CHECK(fault.where.y == 0.5f);
+    }
+    points[6].x = 2;
+    CHECK(outline.Set(rings, 0.0f, &fault) == BMR_OK);
+}
+
 TEST_CASE("without memory an outline stays as it was and nothing leaks") {
     REQUIRE(bmr::registry::Count() == 0);
     const Ring ring = Scan();

@@ -33,9 +33,10 @@ struct OutlineHole {
     int32 count;
 };
 
-/// Where an outline is wrong (bmr_outline_fault, boomerang/outline.h, says which edges these are of which
-/// error). Edges are numbered from 0, those of the outer ring first, then hole after hole; edge i begins at
-/// point i. -1: there is none.
+/// Where an outline is wrong: at two edges, or, of a coordinate that is not allowed, at the point that
+/// edge[0] begins at (bmr_outline_fault, boomerang/outline.h, says which edges these are of which error).
+/// Edges are numbered from 0, those of the outer ring first, then hole after hole; edge i begins at point i.
+/// -1: there is none.
 struct OutlineFault {
     int32 edge[2];
     int32 ring[2]; ///< 0 is the outer ring, 1 the first hole
@@ -60,12 +61,14 @@ public:
     /// no piece has an area, as far as floats can tell), BMR_ERROR_TOO_MANY_POINTS, BMR_ERROR_NOT_FINITE,
     /// BMR_ERROR_NEGATIVE (a count or the tolerance), BMR_ERROR_OUT_OF_RANGE (a coordinate beyond 1e9, an
     /// area that is no normal float), BMR_ERROR_CROSSING_EDGES, BMR_ERROR_OVERLAPPING_EDGES,
-    /// BMR_ERROR_HOLE_OUTSIDE (these, and rings of too few points, say in `*fault` where),
-    /// BMR_ERROR_NO_MEMORY, BMR_ERROR_UNSUPPORTED (a Box2D that the glue does not know).
-    /// About O(n log n).
+    /// BMR_ERROR_HOLE_OUTSIDE (these, rings of too few points, and coordinates that are not finite or beyond
+    /// 1e9 say in `*fault` where), BMR_ERROR_FAR_FROM_ORIGIN (rings in doubles that are small and far from
+    /// the origin: rounding them to floats could change the area by a hundredth), BMR_ERROR_NO_MEMORY,
+    /// BMR_ERROR_UNSUPPORTED (a Box2D that the glue does not know). About O(n log n).
     bmr_error Set(const b2Vec2 *points, int32 count, const OutlineHole *holes = nullptr, int32 holeCount = 0,
                   float tolerance = 0.0f, OutlineFault *fault = nullptr);
-    /// The same of rings in doubles, the outer one first, as boomerang::repair returns them.
+    /// The same of rings in doubles, the outer one first, as boomerang::repair returns them. The shape is of
+    /// floats: of coordinates on a map subtract an origin near the outline first.
     bmr_error Set(const bmr_rings &rings, float tolerance = 0.0f, OutlineFault *fault = nullptr);
 
     /// Makes a fixture of each piece on the body, all by `def`, whose shape is not read. The body's mass,

@@ -33,7 +33,7 @@ typedef enum bmr_error {
     BMR_ERROR_UNSUPPORTED,       ///< the call does not know the version of a library in this process
     BMR_ERROR_TOO_FEW_POINTS,    ///< fewer than three points, or all on one line as far as floats can tell
     BMR_ERROR_TOO_CLOSE,         ///< points so close together that they would become one
-    BMR_ERROR_NEGATIVE,          ///< a count, tolerance, density or friction below zero
+    BMR_ERROR_NEGATIVE,          ///< a count, tolerance, density or friction below zero, a snap not above it
     BMR_ERROR_CORNER_TOO_LARGE,  ///< a corner's radius above half of a side
     BMR_ERROR_TOO_LARGE,         ///< it would take more bytes than this machine can address
     BMR_ERROR_WRONG_HIERARCHY,   ///< a hierarchy of another polygon or of another kind
@@ -43,7 +43,7 @@ typedef enum bmr_error {
     BMR_ERROR_OVERLAPPING_EDGES, ///< two edges of an outline have more than a point in common
     BMR_ERROR_HOLE_OUTSIDE,    ///< a hole of an outline is not inside its outer ring, or inside another hole
     BMR_ERROR_WORLD_LOCKED,    ///< the call changes a body while its world is stepped
-    BMR_ERROR_FAR_FROM_ORIGIN, ///< so far from a body's origin floats cannot hold the inertia
+    BMR_ERROR_FAR_FROM_ORIGIN, ///< so far from the origin floats cannot hold an inertia or an area
     BMR_ERROR_COUNT            ///< number of codes; not an error
 } bmr_error;
 
