@@ -5,6 +5,7 @@
 #include <climits>
 #include <cstddef>
 #include <cstdio>
+#include <initializer_list>
 #include <string_view>
 
 #include <box2d/b2_contact.h>
@@ -187,9 +188,10 @@ const char *WhyLibraryIsUnknown() {
     if (programHasItsOwn)
         return kInside;
     // (Some builds of Box2D call these two by name, others their own.)
-    if (IsInProgram(Find("_Z15b2Alloc_Defaulti")) != IsInProgram(Find(kStep)) ||
-        IsInProgram(Find("_Z14b2Free_DefaultPv")) != IsInProgram(Find(kStep)))
-        return kOwnMemory;
+    const bool isBox2DInside = IsInProgram(Find(kWorld));
+    for (const char *const memory : {"_Z15b2Alloc_Defaulti", "_Z14b2Free_DefaultPv"})
+        if (IsInProgram(Find(memory)) && !isBox2DInside)
+            return kOwnMemory;
     const void *library = nullptr;
     for (const Symbol &symbol : kSymbols) {
         const void *found = Find(symbol.name);
