@@ -189,6 +189,8 @@ int Execute(const CompareCommand &command, const Workers &workers) {
     const bool hasFigures = std::any_of(results.begin(), results.end(), [](const auto &result) {
         return result.verdict == Verdict::Identical || !result.verifyCount.is_null();
     });
+    if (!command.quiet)
+        PrintQuestions(std::cout, results, colour);
     PrintVerdict(std::cout, results, colour);
     if (!command.quiet && hasFigures)
         PrintTables(std::cout, results, command.options, command.details, colour);

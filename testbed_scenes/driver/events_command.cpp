@@ -321,6 +321,30 @@ public:
             }
         m_rows.push_back({motion, {course}});
     }
+    /// A line for each motion: what stock asked, and how many events the first structure had that takes it;
+    /// means over the courses.
+    void PrintQuestions(const std::vector<Run> &runs, size_t ratioIndex) const {
+        for (const Row &row : m_rows) {
+            double questions = 0.0, steps = 0.0;
+            for (const Box2DCourse &course : row.courses) {
+                questions += course.stock.tests + course.stock.impacts + course.stock.distances;
+                steps += static_cast<double>(course.stock.steps);
+            }
+            const auto courses = static_cast<double>(row.courses.size());
+            for (const bmr_kds_info *structure : StructuresOf(runs)) {
+                const auto events = MeanOver(runs, row.motion, structure, ratioIndex, Quantity::Events);
+                if (!events)
+                    continue;
+                std::cout << QuestionsFor(row.motion, questions / courses,
+                                          "in " + Counted(std::round(steps / courses)) +
+                                              " steps of stock Box2D",
+                                          *events, std::string(" of ") + structure->name)
+                          << '\n';
+                break;
+            }
+        }
+        std::cout << '\n';
+    }
     void Print(bool colour) const {
         Table table;
         table.AddColumn("", "motion");
@@ -381,10 +405,13 @@ void PrintTables(const EventsCommand &command, const Experiment &experiment, con
     const bool colour = WantsColour(STDOUT_FILENO), own = !experiment.motionFile.empty();
     const Quantity quantity = QuantityNamed(command.count);
     const size_t motions = own ? 1 : experiment.seeds.size();
+    const size_t ratioIndex = own ? 0 : experiment.ratios.size() - 1;
+    if (command.box2d)
+        box2d.PrintQuestions(runs, ratioIndex);
     std::cout << "Mean number of " << command.count << ", " << motions
               << (motions == 1 ? " motion" : " motions of each kind") << ", n = " << runs.front().n << ", "
               << SeparationOf(runs.back()) << "\n\n";
-    PrintCounts(runs, own ? 0 : experiment.ratios.size() - 1, quantity, experiment.optimum, colour);
+    PrintCounts(runs, ratioIndex, quantity, experiment.optimum, colour);
     if (!own && experiment.ratios.size() >= 3) {
         std::cout
             << "Growth of " << command.count << " with D/sigma = " << experiment.ratios.front() << " .. "

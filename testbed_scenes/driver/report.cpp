@@ -244,6 +244,31 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
     PrintLegend(out, VerdictLegend(), colour);
 }
 
+void PrintQuestions(std::ostream &out, const std::vector<SceneResult> &results, bool colour) {
+    double questions = 0.0, events = 0.0;
+    size_t counted = 0;
+    std::string name;
+    for (const SceneResult &result : results) {
+        const Figures figures(result);
+        const auto tests = figures["stock.polygon_tests_per_step"],
+                   impacts = figures["stock.toi_calls_per_step"],
+                   distances = figures["stock.distance_calls_per_step"],
+                   happened = figures["events.all_per_step"];
+        if (!tests || !impacts || !distances || !happened)
+            continue;
+        questions += *tests + *impacts + *distances;
+        events += *happened;
+        ++counted;
+        name = result.scene.name;
+    }
+    if (counted == 0)
+        return;
+    out << Styled(QuestionsFor(counted == 1 ? name : std::to_string(counted) + " scenes together", questions,
+                               "a step in stock", events),
+                  Style::Strong, colour)
+        << '\n';
+}
+
 void PrintVerdict(std::ostream &out, const std::vector<SceneResult> &results, bool colour) {
     const size_t identical = CountOf(results, Verdict::Identical);
     const size_t different = CountOf(results, Verdict::Different);

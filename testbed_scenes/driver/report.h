@@ -9,6 +9,9 @@
 
 namespace testbed {
 
+/// What stock asked in a step and how many events answered that with the plugin, of all scenes that were
+/// counted: a line, or nothing.
+void PrintQuestions(std::ostream &out, const std::vector<SceneResult> &results, bool colour);
 /// One line: how many are identical, and by what factor a step is faster.
 void PrintVerdict(std::ostream &out, const std::vector<SceneResult> &results, bool colour);
 /// Scene by scene, for at most 132 columns: whether the bits agree and how long a step takes; with `details`

@@ -118,6 +118,7 @@ const std::vector<std::string> &VerdictLegend() {
         "linked: a program that was linked with the plugin; preloaded: stock's program, plugin in LD_PRELOAD",
         "accelerated: Box2D compiled with the plugin, where this was built with Box2D's sources",
         "bits: every body, contact, impulse and listener event of every step, hashed and compared",
+        "question: a call of b2CollidePolygons, b2TimeOfImpact or b2Distance; event: of a certificate",
         "any-...: stock Box2D does not have these polygons; its place has the plugin told to be off "
         "(BOOMERANG=off)"};
     return legend;

@@ -2,6 +2,7 @@
 #include "table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace testbed {
@@ -18,6 +19,22 @@ std::string General(double number, int digits) {
     char text[32];
     std::snprintf(text, sizeof text, "%.*g", digits, number);
     return text;
+}
+
+std::string Counted(double number) {
+    std::string text = Fixed(number, number < 9.95 && number != std::floor(number) ? 1 : 0);
+    for (size_t end = std::min(text.find('.'), text.size()); end > 3; end -= 3)
+        text.insert(end - 3, ",");
+    return text;
+}
+
+std::string QuestionsFor(const std::string &what, double questions, const std::string &where, double events,
+                         const std::string &ofWhat) {
+    std::string text = what + ": " + Counted(questions) + " questions " + where + ", ";
+    if (events == 0.0)
+        return text + "no event" + ofWhat;
+    return text + Counted(events) + (events == 1.0 ? " event" : " events") + ofWhat + ": one for " +
+           Counted(questions / events);
 }
 
 std::string Styled(const std::string &text, Style style, bool colour) {

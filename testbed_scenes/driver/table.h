@@ -17,6 +17,13 @@ std::string Fixed(std::optional<double> number, int decimals);
 /// Four digits, or as many as are wanted, and no more than tell the number.
 std::string General(double number, int digits = 4);
 
+/// "9,605"; below ten with one decimal, unless it is whole.
+std::string Counted(double number);
+/// "needles: 9,605 questions a step in stock, 48 events: one for 200". A question: a call of
+/// b2CollidePolygons, b2TimeOfImpact or b2Distance.
+std::string QuestionsFor(const std::string &what, double questions, const std::string &where, double events,
+                         const std::string &ofWhat = "");
+
 enum class Style { Plain, Good, Bad, Faint, Strong };
 
 /// The text in its colour; the text alone where colours are not wanted.

@@ -82,13 +82,31 @@ test_run_prints_hashes_and_summaries() {
     [ -s "$scratch/trace" ] || fail "the trace is empty"
 }
 
+# The sentence is the CSV file's numbers, and its quotient theirs.
+test_questions_and_events_are_told_first() {
+    expect 0 compare needles --steps 20 --no-time --csv "$scratch/asked.csv"
+    python3 - "$scratch/asked.csv" "$scratch/out" <<'PYTHON' >"$scratch/err" || fail "the sentence is not what was counted"
+import csv, re, sys
+row = next(csv.DictReader(open(sys.argv[1])))
+questions = sum(float(row[f"stock.{calls}_per_step"]) for calls in ("polygon_tests", "toi_calls", "distance_calls"))
+events = float(row["events.all_per_step"])
+said = re.match(r"needles: ([\d,.]+) questions a step in stock, ([\d,.]+) events: one for ([\d,.]+)\n", open(sys.argv[2]).read())
+told = [float(word.replace(",", "")) for word in said.groups()]
+print(told, questions, events)
+sys.exit(not (questions > 9000 and abs(told[0] - questions) <= 0.5 and abs(told[1] - events) <= 0.5 and abs(told[2] - questions / events) <= 0.5))
+PYTHON
+    says '^1 scene identical' 0 compare needles --steps 2 --no-time --quiet
+    ! grep -q 'questions' "$scratch/out" || fail "--quiet tells more than the verdict"
+}
+
 test_compare_reports_identical_scenes() {
     expect 0 compare "$classic" "$hard" --steps "$steps" --repeat 1 \
         --json "$scratch/report.json" --csv "$scratch/report.csv"
-    head -n 1 "$scratch/out" | grep -Eq '^2 scenes identical, 0 different; step [0-9.]+x' || fail "the verdict is not what it says first"
+    head -n 1 "$scratch/out" | grep -Eq '^2 scenes together: [0-9,.]+ questions a step in stock, ' || fail "questions and events are not what it says first"
+    sed -n 2p "$scratch/out" | grep -Eq '^2 scenes identical, 0 different; step [0-9.]+x' || fail "the verdict is not what it says first"
     out_has "^$classic +$steps( +identical){3}( +[0-9.]+){5}\$"
     out_has "^$hard +$steps( +identical){3}( +[0-9.]+){5}\$"
-    [ "$(wc -l <"$scratch/out")" -eq 8 ] || fail "more than a verdict, two scenes and a word on details"
+    [ "$(wc -l <"$scratch/out")" -eq 9 ] || fail "more than a sentence, a verdict, two scenes and a word on details"
     err_empty
     clean
     [ "$(awk '{ if (length($0) > most) most = length($0) } END { print most + 0 }' "$scratch/out")" -le 132 ] ||

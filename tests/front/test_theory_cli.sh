@@ -83,6 +83,9 @@ test_events_explain_wrong_input() {
 }
 
 test_events_beside_box2d() {
+    says '^line: [1-9][0-9,]* questions in [0-9,]+ steps of stock Box2D, [0-9.]+ events of lazy-dudley: one for [0-9.,]+$' 0 events line --n 64 \
+        --ratios 128 --seeds 1 --structures lazy-dudley --box2d
+    head -n 1 "$scratch/out" | grep -q '^line: ' || fail "it is not what it says first"
     says 'stock Box2D' 0 events line --n 8 --ratios 8 --seeds 1 --structures free-fd2 --box2d
     # Box2D asks at every step; a structure a few times.
     awk '$1 == "line" { last = $0 } END { split(last, f); exit !(f[3] > 10 && f[9] < f[3]) }' "$scratch/out" || fail "the calls of Box2D are not beside the events"
