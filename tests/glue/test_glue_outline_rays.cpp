@@ -5,6 +5,7 @@
 
 #include "boomerang/box2d_glue.h"
 #include "boomerang/outline_shape.h"
+#include "box2d_shapes.h"
 #include "cases.h"
 
 using Ring = std::vector<b2Vec2>;
@@ -16,33 +17,27 @@ const Ring kPlus = {{-1, -3}, {1, -3}, {1, -1}, {3, -1}, {3, 1},   {1, 1},
                     {1, 3},   {-1, 3}, {-1, 1}, {-3, 1}, {-3, -1}, {-1, -1}};
 const Ring kSteps = {{-3, 0}, {1, 0}, {1, 2}, {3, 2}, {3, 4}, {-1, 4}, {-1, 2}, {-3, 2}};
 
-class Dice {
-public:
-    explicit Dice(unsigned seed) : m_bits(seed) {}
-    int Below(int n) { return static_cast<int>(m_bits() % static_cast<unsigned>(n)); }
-    float Between(float a, float b) { return a + (b - a) * static_cast<float>(m_bits() >> 8) / 16777216.0f; }
+using shapes::Below, shapes::UniformF, shapes::Engine;
 
-    /// (Braces: arguments in their order, whatever the compiler.)
-    b2Vec2 GridPoint(int most) {
-        return b2Vec2{static_cast<float>(Below(2 * most + 1) - most),
-                      static_cast<float>(Below(2 * most + 1) - most)};
-    }
-    b2Vec2 Point(float most) { return b2Vec2{Between(-most, most), Between(-most, most)}; }
-
-private:
-    std::mt19937 m_bits;
-};
+/// (Braces: arguments in their order, whatever the compiler.)
+b2Vec2 GridPoint(Engine &engine, int most) {
+    return b2Vec2{static_cast<float>(Below(engine, 2 * most + 1) - most),
+                  static_cast<float>(Below(engine, 2 * most + 1) - most)};
+}
+b2Vec2 Point(Engine &engine, double most) {
+    return b2Vec2{UniformF(engine, -most, most), UniformF(engine, -most, most)};
+}
 
 double Cross(b2Vec2 a, b2Vec2 b) {
     return double{a.x} * double{b.y} - double{a.y} * double{b.x};
 }
 
 /// Around the origin, through points of a grid: counter-clockwise, all its products exact.
-Ring Star(Dice *dice) {
+Ring Star(Engine &engine) {
     Ring ring;
-    const int count = 6 + dice->Below(8);
+    const int count = 6 + Below(engine, 8);
     for (int i = 0; i < count; ++i) {
-        const b2Vec2 p = dice->GridPoint(8);
+        const b2Vec2 p = GridPoint(engine, 8);
         bool alone = p.x != 0.0f || p.y != 0.0f;
         for (const b2Vec2 &q : ring)
             alone = alone && !(Cross(p, q) == 0.0 && b2Dot(p, q) > 0.0f);
@@ -151,18 +146,18 @@ struct Pen final : b2Draw {
 } // namespace
 
 TEST_CASE("a ray that aims at a vertex of an outline comes in there") {
-    Dice dice(19);
+    Engine engine(19);
     int aimed = 0, wrong = 0, sideways = 0;
     for (int trial = 0; trial < 600; ++trial) {
-        const Ring ring = Star(&dice);
+        const Ring ring = Star(engine);
         bmr::OutlineShape outline;
         if (ring.size() < 5 || !Cut(ring, &outline) || outline.GetPieceCount() < 3)
             continue;
         b2World world(b2Vec2(0.0f, 0.0f));
         AddBody(world, outline);
         for (int i = 0; i < 20; ++i) {
-            const size_t at = static_cast<size_t>(dice.Below(static_cast<int>(ring.size())));
-            const b2Vec2 to = ring[at], from = dice.GridPoint(32);
+            const size_t at = static_cast<size_t>(Below(engine, static_cast<int>(ring.size())));
+            const b2Vec2 to = ring[at], from = GridPoint(engine, 32);
             if (!SeesInside(ring, from, at))
                 continue;
             ++aimed;
@@ -178,11 +173,11 @@ TEST_CASE("a ray that aims at a vertex of an outline comes in there") {
 }
 
 TEST_CASE("a ray hits where it comes in from outside, and nowhere else, wherever it begins") {
-    Dice dice(20);
+    Engine engine(20);
     int fromInside = 0, inAgain = 0;
     std::vector<std::pair<double, bool>> crossings;
     for (int trial = 0; trial < 60; ++trial) {
-        const Ring ring = trial % 4 == 0   ? Star(&dice)
+        const Ring ring = trial % 4 == 0   ? Star(engine)
                           : trial % 4 == 1 ? kTee
                           : trial % 4 == 2 ? kPlus
                                            : kSteps;
@@ -192,7 +187,7 @@ TEST_CASE("a ray hits where it comes in from outside, and nowhere else, wherever
         b2World world(b2Vec2(0.0f, 0.0f));
         AddBody(world, outline);
         for (int i = 0; i < 40; ++i) {
-            const b2Vec2 p1 = dice.Point(8.0f), p2 = dice.Point(8.0f);
+            const b2Vec2 p1 = Point(engine, 8.0f), p2 = Point(engine, 8.0f);
             if (!Crossings(ring, p1, p2, &crossings))
                 continue;
             double expected = 2.0;
@@ -260,10 +255,10 @@ TEST_CASE("what is left of a body whose pieces go singly keeps its seams") {
 }
 
 TEST_CASE("of an outline each edge is drawn once, also those that pieces share with others") {
-    Dice dice(21);
+    Engine engine(21);
     for (int trial = 0; trial < 60; ++trial) {
         CAPTURE(trial);
-        const Ring ring = trial == 0 ? kTee : trial == 1 ? kPlus : trial == 2 ? kSteps : Star(&dice);
+        const Ring ring = trial == 0 ? kTee : trial == 1 ? kPlus : trial == 2 ? kSteps : Star(engine);
         bmr::OutlineShape outline;
         if (!Cut(ring, &outline) || outline.GetPieceCount() < 2)
             continue;
