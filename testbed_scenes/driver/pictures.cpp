@@ -10,7 +10,6 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
-#include "drawing/surface.h"
 #include "picture/world_view.h"
 
 namespace testbed {

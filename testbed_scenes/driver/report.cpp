@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "figures.h"
-#include "scene_tables.h"
 #include "table.h"
 
 namespace testbed {

@@ -54,7 +54,7 @@ Rectangle RegionOf(const shown::Frame &frame, const PictureOptions &options);
 void AddContents(const shown::Frame &frame, const PictureOptions &options, Contents *contents);
 
 /// Draws a frame in the colours of Box2D's testbed, with a scale bar, and a title and a legend below, as an
-/// SVG, PNG or PDF file by the ending of the path (drawing/surface.h). Throws std::runtime_error if the file
+/// SVG, PNG or PDF file by the ending of the path (drawing/canvas.h). Throws std::runtime_error if the file
 /// cannot be written, or if a body in focus is not there.
 void DrawPicture(const shown::Frame &frame, const PictureOptions &options, const std::string &path);
 
