@@ -45,7 +45,8 @@ static const family_info families[BMR_FAMILY_COUNT] = {
     [BMR_FAMILY_RIGID_ALGEBRAIC] = {"rigid-algebraic", bmr_path_polynomial, 4, 0, true, false},
     [BMR_FAMILY_TUMBLE] = {"tumble", bmr_path_pass, 0, 0, true, false},
     [BMR_FAMILY_RIGID_BROWNIAN] = {"rigid-brownian", bmr_path_brownian, 0, 1024, true, false},
-    [BMR_FAMILY_RIGID_WANDER] = {"rigid-wander", bmr_path_wander, 0, 256, true, false}};
+    [BMR_FAMILY_RIGID_WANDER] = {"rigid-wander", bmr_path_wander, 0, 256, true, false},
+    [BMR_FAMILY_TO_AND_FRO] = {"to-and-fro", bmr_path_to_and_fro, 0, 256, true, false}};
 
 static bool is_family(bmr_family family) {
     return (unsigned)family < BMR_FAMILY_COUNT;

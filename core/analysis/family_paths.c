@@ -8,6 +8,8 @@
 #define PI 3.14159265358979323846
 /// A pass begins and ends this many diameters from the near place: where both bounding boxes are well apart.
 #define PASS_LENGTH 4.0
+/// How far TO_AND_FRO turns to either side: 1.5 degrees.
+#define SWING 0.026179938779914945
 /// How far zigzag goes out, in diameters.
 #define ZIGZAG_DEPTH 0.25
 /// A Brownian walk's standard deviation at its end, in diameters per coordinate.
@@ -218,6 +220,19 @@ bmr_error bmr_path_zigzag(const bmr_family_plan *plan, double gap, const bmr_all
                           bmr_motion *motions[2]) {
     walker w = {plan, gap, 0.0, 0.0};
     return walk(&w, zigzag_pose(&w, 0), zigzag_step, allocator, motions);
+}
+
+static place swing_step(walker *w, place at, size_t k) {
+    (void)w;
+    at.a = turned(at_origin, k % 2 ? -SWING : SWING);
+    return at;
+}
+bmr_error bmr_path_to_and_fro(const bmr_family_plan *plan, double distance, const bmr_allocator *allocator,
+                              bmr_motion *motions[2]) {
+    walker w = {plan, distance, 0.0, 0.0};
+    bmr_pose b = plan->turn;
+    b.position = bmr_sub(bmr_scale(distance, plan->toward), bmr_rotate(&plan->turn, plan->b->center));
+    return walk(&w, b, swing_step, allocator, motions);
 }
 
 static double limit(double value, double most) {

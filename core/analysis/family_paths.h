@@ -36,6 +36,8 @@ bmr_error bmr_path_polynomial(const bmr_family_plan *plan, double scale, const b
                               bmr_motion *motions[2]);
 bmr_error bmr_path_spin(const bmr_family_plan *plan, double distance, const bmr_allocator *allocator,
                         bmr_motion *motions[2]);
+bmr_error bmr_path_to_and_fro(const bmr_family_plan *plan, double distance, const bmr_allocator *allocator,
+                              bmr_motion *motions[2]);
 bmr_error bmr_path_zigzag(const bmr_family_plan *plan, double gap, const bmr_allocator *allocator,
                           bmr_motion *motions[2]);
 bmr_error bmr_path_brownian(const bmr_family_plan *plan, double gap, const bmr_allocator *allocator,

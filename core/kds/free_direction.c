@@ -24,19 +24,35 @@
 // beginning of each step but the last two. With k steps sigma^2/(D + 2 sigma) <= 2D/4^(k-5), hence 4^(k-5) <=
 // 6 (D/sigma)^2.
 //
-// Algebraic translation: 3p (9 + 5.5 sqrt(D/sigma)) steps. Cut the path into p pieces on each of which the
-// tangent's angle phi turns one way, by at most a right angle: p <= 4a - 5 for polynomials of degree a >= 2,
-// p = 1 for a line. (i) On a piece the angle psi of u turns one way in at most three runs, by at most 3/2 pi
-// in each. For delta = phi - psi, psi moves with the sign of sin delta, or rests while the foot is inside an
-// edge. Let phi grow. Then delta crosses multiples of pi upwards only. While delta is in (0, pi) psi grows,
-// so delta grows by no more than a right angle and does not cross all of that interval. So it meets at most
-// three intervals. In one run psi turns by as much as phi and delta do, pi/2 + pi. (ii) In a run the thetas
-// of disjoint steps add up to 3/2 pi at most, and the ways |c_1 - c_0| to C's perimeter, pi D. X <= |c_1 -
-// c_0| + d_1. If d_1 > |c_1 - c_0|, theta > 30 degrees: 8 times. Else sigma <= d_1 <= 2 |c_1 - c_0| theta;
-// for k of these, by Cauchy and Schwarz, k sqrt(sigma) <= sqrt(2 pi D) sqrt(3/2 pi). One more step straddles
-// the run's beginning. (iii) For m <= sigma a run also has at most 2N + 5 steps: both feet inside one edge is
-// no step; both at one vertex means cos theta = m/(m + d_1) <= 1/2, 4 times; else one of N normals was passed
-// or reached.
+// Lemma A. Under translation let h be the support function of C, blown up by m, and s_w(x) = w.x - h(w) the
+// slack of the support line across w. h is sublinear: for w = a w_1 + b w_2 with a, b >= 0, h(w) <= a h(w_1)
+// + b h(w_2), so s_w >= a s_(w_1) + b s_(w_2). So while two support lines whose directions bracket w both
+// stand, the one across w stands. Let W be a set of directions so that at each choice of u either u is in W
+// or two of W bracket u, less than half a turn apart, and stand. Then in each step some w of W that stood at
+// its beginning has failed by its end. Steps are disjoint, so they have no more failures than W. If each s_w
+// has at most a zeros with their multiplicities (polynomials of degree a do), a line across w fails at most
+// ceil(a/2) times, for between two failures it comes to stand again. So there are at most ceil(a/2) |W|
+// steps.
+//
+// (i) W of N + 12 directions, for m <= sigma: the normals of C's edges, the eight axes of both frames, and
+// four more, so that no two neighbours are more than 45 degrees apart. Proof. If the foot is inside an edge
+// of C without m, u is its normal. Else it is a vertex c. The two of W next to u on both sides are in c's
+// cone of normals, as the cone's ends are in W. With d = g + m the slack of w is d cos(w, u) - m > 0.7 (g +
+// m) - m > 0. These directions count all failures of hybrid and of two-lines, handovers included: a coarse
+// line's failure is that of its own direction, which is one of the N + 8, at a time of its own.
+//
+// (ii) W of at most 9 sqrt(D/sigma) + 1 directions, for any m: those of Dudley's approximation. Take D for
+// sigma if sigma > D. C is in a disc of radius D/sqrt3. Let k >= 9 sqrt(D/sigma) points z_i divide a circle
+// of radius 1.58 D about that disc's centre; they are at least D away from C. Let c_i be the foot and u_i the
+// closest direction of z_i. For z_i, and any z from there to the next point z_j, the chord is at most t = 2
+// pi 1.58 D/k, t^2 <= 1.22 D sigma, and (z - z_i).(u - u_i) is the sum of (c - c_i).(u - u_i) >= 0 and of at
+// least D |u - u_i|^2. So |u - u_i| <= t/D <= 1.11: u turns by less than a right angle from z_i to z_j. And
+// (c_j - c_i).(u_j - u_i) <= t y - D y^2 <= t^2/(4 D), y = |u_j - u_i|. While z goes around, u passes all
+// directions in order. So the u of a choice lies between some u_i and u_j, and its foot c between c_i and c_j
+// on the boundary. Hence u_i.(c_i - c) <= u_i.(c_i - c_j) <= (c_i - c_j).(u_i - u_j), for u_j.(c_i - c_j) <=
+// 0. The slack of u_i at x = c + g u is g u_i.u - u_i.(c_i - c) >= g (1 - t^2/(2 D^2)) - t^2/(4 D) >= sigma
+// (1 - 0.61)
+// - 0.31 sigma > 0, and that of u_j likewise.
 //
 // Hysteresis. Under translation the slack at an event is g, and a translation by tau changes it by at most
 // |tau|: beta = 1. In a disc of radius at most a third of its centre's distance from C two events could only

@@ -81,6 +81,17 @@ static bool fails(const bmr_windowed_line *line, const bmr_kds *kds, const bmr_i
     return failure.crossed || failure.rolled != 0;
 }
 
+/// The way B turns: by the rates of the instant; where these say that nothing turns, by the end of the
+/// bracket that was left. A line that was crossed where nothing turns forgets a spin of before: the next
+/// bracket leans to no side, and costs nothing. (Its ends are farther away than the short side of a leaning
+/// one, so no bound of free_direction.c needs the spin to be remembered.)
+static int8_t spin_at(const bmr_instant *now, const bmr_windowed_line *old,
+                      const bmr_windowed_failure *failure) {
+    if (now->spin != 0.0)
+        return (int8_t)bmr_sign(now->spin);
+    return (int8_t)(old->owner == 0 ? -failure->rolled : failure->rolled);
+}
+
 static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)failed; // others may have failed at the same time
     line_state *s = state_of(kds);
@@ -88,10 +99,7 @@ static bool repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_
     const bmr_windowed_failure failure = bmr_windowed_fails(&old, kds, now);
     if (!failure.crossed && failure.rolled == 0)
         return true; // NONE
-    if (now->spin != 0.0)
-        s->spin = (int8_t)bmr_sign(now->spin);
-    else if (failure.rolled != 0)
-        s->spin = (int8_t)(old.owner == 0 ? -failure.rolled : failure.rolled);
+    s->spin = spin_at(now, &old, &failure);
     if (s->has_spare && !fails(&s->spare, kds, now)) {
         s->now = s->spare;
         s->has_spare = false;
@@ -117,7 +125,7 @@ static const line_class hybrid = LINE_CLASS(one_line_state, RULE_HYBRID),
 BMR_KDS_INFO(hybrid, "hybrid", "Free direction; very near, the coarse line", "7, the open question",
              BMR_KDS_RIGID, BMR_KDS_RECOMMENDED, -1, &hybrid);
 BMR_KDS_INFO(two_lines, "two-lines", "Free direction, then the coarse line", "7, the open question",
-             BMR_KDS_RIGID, BMR_KDS_CONTROL, -1, &two_lines);
+             BMR_KDS_RIGID, BMR_KDS_RECOMMENDED, -1, &two_lines);
 BMR_KDS_INFO(free_fd2, "free-fd2", "Free direction, two corners", "7, the open question", BMR_KDS_RIGID,
              BMR_KDS_CONTROL, -1, &free_fd2);
 BMR_KDS_INFO(coarse, "coarse", "The coarse line alone", "7, the open question", BMR_KDS_RIGID,

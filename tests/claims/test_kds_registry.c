@@ -59,8 +59,8 @@ TEST(the_sentence_fits_what_it_is_given) {
 
 /// The header tells which to take, by name: those and no others are recommended.
 TEST(the_recommended_are_those_that_the_header_names) {
-    static const char *const named[] = {"point-lazy-dudley", "lazy-dudley", "hybrid", "inflated-translation",
-                                        "inflated-window"};
+    static const char *const named[] = {"point-lazy-dudley",    "lazy-dudley",    "two-lines", "hybrid",
+                                        "inflated-translation", "inflated-window"};
     static const char *const rivals[] = {"closest-features", "inner-tangent", "separating-edge-walk"};
     size_t recommended = 0, rival = 0;
     for (size_t i = 0; i < bmr_kds_count(); ++i) {

@@ -18,6 +18,10 @@
 /// that is below rho no two events are in one segment.
 static const double kappa = 1.0 + 2.0 / LEAST_RHO;
 
+/// Where a known spin turns back, the short side of a bracket is left after a rotation of gamma g/(16 D),
+/// gamma = 0.3 (free_direction.c): what is proved of all motions.
+static const double kappa_back = 1.0 + 2.0 * 16.0 / 0.3;
+
 /// Two polygons of few vertices, and so near that these are what bounds the events.
 #define FEW 16
 #define NEAR 1e4
@@ -60,6 +64,45 @@ TEST(events_of_rigid_motions_are_no_more_than_a_clear_decomposition) {
         beyond = beyond || events(&s, &bmr_kds_closest_features) > clear.found;
     }
     assert_true(beyond);
+}
+
+/// A place where turning to and fro is bad for the free direction.
+typedef struct swing {
+    size_t n;
+    double ratio;
+    uint64_t seed;
+} swing;
+
+/// The free direction leans with the last spin, and fails soon when the body turns back. Two lines do not:
+/// the coarse line stands.
+TEST(events_of_turning_to_and_fro_are_no_more_than_the_clear_decomposition_that_is_proved) {
+    static const bmr_outline outlines[2] = {BMR_OUTLINE_REGULAR, BMR_OUTLINE_REGULAR};
+    static const swing swings[] = {{3, 4.0, 28}, {3, 6.0, 28}, {3, 8.0, 28}, {8, 64.0, 39}};
+    const bmr_kds_info *const structures[] = {&bmr_kds_free_fd2, &bmr_kds_hybrid, &bmr_kds_two_lines};
+    uint64_t most[3] = {0, 0, 0};
+    double nearest = INFINITY;
+    for (const swing *at = swings; at < swings + COUNT_OF(swings); ++at) {
+        own_stage s =
+            stage_of(outline(outlines[0], at->n, 2 * at->seed), outline(outlines[1], at->n, 2 * at->seed + 1),
+                     (bmr_family_def){BMR_FAMILY_TO_AND_FRO, at->ratio, at->seed, 0, 0});
+        bmr_clear clear;
+        assert_int_equal(bmr_clear_decomposition(&s.course, kappa_back, s.motion.diameter, &clear), BMR_OK);
+        for (int k = 0; k < 3; ++k) {
+            const bmr_run run =
+                run_of(&s, structures[k], (bmr_run_def){.simulation = bmr_default_simulation_def()});
+            printf("%d vertices, D/sigma %g, %s: %d events, at least %d segments, rho %.3f\n", (int)at->n,
+                   at->ratio, structures[k]->name, (int)run.events, (int)clear.least, run.hysteresis.both);
+            assert_true(run.events <= clear.least);
+            most[k] = run.events > most[k] ? run.events : most[k];
+            if (k < 2 && run.events > 1) {
+                assert_true(run.hysteresis.both >= 2.0 / (kappa_back - 1.0));
+                nearest = fmin(nearest, run.hysteresis.both);
+            }
+        }
+    }
+    // The control: what holds of a spin that goes on is false here.
+    assert_true(nearest < LEAST_RHO);
+    assert_true(most[0] > 50 && most[1] > 50 && most[2] <= 1);
 }
 
 /// The vertices bound the events of a rigid motion, however near it comes: with a coarse line. The control is

@@ -105,8 +105,9 @@ TEST(events_are_no_more_than_a_clear_decomposition) {
     }
 }
 
-/// (|tau| + D |delta|) / d between events. The inflated window loses |tau| + r delta of a slack of d / beta,
-/// and its cone has a margin of (pi / 2) / 2^j, with d < 2.42 eps_(j-1): 0.85 was measured.
+/// (|tau| + D |delta|) / d between events of motions that spin one way. The inflated window loses |tau| + r
+/// delta of a slack of d / beta, and its cone has a margin of (pi / 2) / 2^j, with d < 2.42 eps_(j-1): 0.85
+/// was measured. A spin that turns back may end sooner (test_kinetic_claims.c).
 #define LEAST_RHO 0.2
 
 /// Section 6, rotational hysteresis: after an event P moves Omega(d) or turns by Omega(d/D).

@@ -29,11 +29,12 @@ typedef enum bmr_family {
     BMR_FAMILY_TUMBLE,          ///< straight pass of two bodies; one of them spins
     BMR_FAMILY_RIGID_BROWNIAN,  ///< Brownian, the angle too
     BMR_FAMILY_RIGID_WANDER,    ///< wander, the angle too
+    BMR_FAMILY_TO_AND_FRO,      ///< A turns to and fro in place by 1.5 degrees, B rests
     BMR_FAMILY_COUNT
 } bmr_family;
 
 /// "line", "parabola", "algebraic", "orbit", "zigzag", "brownian", "wander", "spin", "rigid-algebraic",
-/// "tumble", "rigid-brownian", "rigid-wander"; NULL for anything else.
+/// "tumble", "rigid-brownian", "rigid-wander", "to-and-fro"; NULL for anything else.
 const char *bmr_family_name(bmr_family family);
 /// The family of a name; BMR_FAMILY_COUNT if there is none.
 bmr_family bmr_family_find(const char *name);
@@ -47,7 +48,7 @@ typedef struct bmr_family_def {
     /// D/sigma: the larger diameter over the least separation, in [1, 1e9].
     double ratio;
     uint64_t seed;  ///< of directions, rotations and walks
-    unsigned steps; ///< legs of zigzag (at least 8), Brownian and wander; 0: 64, 1024 and 256
+    unsigned steps; ///< legs of zigzag (at least 8), Brownian, wander and to-and-fro; 0: 64, 1024, 256, 256
     unsigned turns; ///< of tumble; 0: 4
 } bmr_family_def;
 
