@@ -26,11 +26,6 @@ set(_boomerang_renamed
   "b2_world.cpp@void b2World::Step(float@void b2World::Solve(const b2TimeStep@void b2World::SolveTOI(const b2TimeStep@ b2TimeStep step@SolveTOI(step)@Solve(step)@island.SolveTOI(subStep@DestroyJoint(je0@b2World::~b2World()"
   CACHE INTERNAL "")
 
-# What is compiled a second time, into a function of another name (plugin/reach/renamed/collide_by_face.cpp).
-set(_boomerang_compiled_twice
-  "b2_collide_polygon.cpp@static float b2FindMaxSeparation(int32* edgeIndex, const b2PolygonShape* poly1@b2FindMaxSeparation(&edgeA, polyA@b2FindMaxSeparation(&edgeB, polyB@static void b2FindIncidentEdge(@void b2CollidePolygons(b2Manifold* manifold, const b2PolygonShape* polyA"
-  CACHE INTERNAL "")
-
 function(_boomerang_accelerate_refuses target why)
   message(FATAL_ERROR "boomerang_accelerate(${target}): ${why}")
 endfunction()
@@ -107,8 +102,8 @@ function(_boomerang_check_source target path signs)
   endforeach()
 endfunction()
 
-# The file that compiles one of Box2D's through ours: the one of the same name, or `ours`.
-function(_boomerang_wrap_source target renaming ours name_out wrapper_out)
+# The file that compiles one of Box2D's through ours: the one of the same name.
+function(_boomerang_wrap_source target renaming name_out wrapper_out)
   string(REPLACE "@" ";" signs "${renaming}")
   list(POP_FRONT signs name)
   _boomerang_find_source(${target} ${name} listed path)
@@ -116,11 +111,8 @@ function(_boomerang_wrap_source target renaming ours name_out wrapper_out)
     _boomerang_accelerate_refuses(${target} "this is not Box2D 2.4.1 or 2.4.2: the target does not compile ${name}")
   endif()
   _boomerang_check_source(${target} "${path}" "${signs}")
-  if(NOT ours)
-    set(ours ${name})
-  endif()
-  set(wrapper "${CMAKE_CURRENT_BINARY_DIR}/boomerang_${target}/${ours}")
-  set(renamed "${BOOMERANG_ACCELERATE_SOURCE}/plugin/reach/renamed/${ours}")
+  set(wrapper "${CMAKE_CURRENT_BINARY_DIR}/boomerang_${target}/${name}")
+  set(renamed "${BOOMERANG_ACCELERATE_SOURCE}/plugin/reach/renamed/${name}")
   file(CONFIGURE OUTPUT "${wrapper}" @ONLY CONTENT [[
 #define BMR_BOX2D_SOURCE "@path@"
 #define BMR_BOX2D_ISLAND "@dynamics@/b2_island.h"
@@ -180,19 +172,36 @@ function(boomerang_accelerate)
   set(renamed "${root}/plugin/reach/renamed")
   get_filename_component(dynamics "${path}" DIRECTORY)
   foreach(renaming IN LISTS _boomerang_renamed)
-    _boomerang_wrap_source(${target} "${renaming}" "" listed wrapper)
+    _boomerang_wrap_source(${target} "${renaming}" listed wrapper)
     list(TRANSFORM sources REPLACE "^.+$" "${wrapper}" REGEX "^(.*/)?${listed}$")
   endforeach()
-  _boomerang_wrap_source(${target} "${_boomerang_compiled_twice}" collide_by_face.cpp listed wrapper)
-  list(APPEND sources "${wrapper}")
-  _boomerang_wrap_source(${target} "b2_island.cpp@void b2Island::Solve(b2Profile@void b2Island::SolveTOI(const b2TimeStep" stock_solver.cpp listed wrapper)
-  list(APPEND sources "${wrapper}")
   # (Not the global list of languages: a folder further down may have C, as Debian's Box2D has, and this one not.)
   if(NOT DEFINED CMAKE_C_COMPILE_OBJECT)
     _boomerang_accelerate_refuses(${target} "the project needs the language C, too: project(... LANGUAGES C CXX), or enable_language(C) ahead of the call")
   endif()
   set_property(TARGET ${target} PROPERTY BOOMERANG_ACCELERATED TRUE)
   set_property(TARGET ${target} PROPERTY SOURCES "${sources}")
+
+  # Box2D's bits are to be those of every other machine: its products are not fused. Neither are those of its inline functions in the
+  # files that use it, because the linker keeps one copy of each. gcc's vectorizer fuses even so where the processor can: Box2D is
+  # compiled without these instructions, what uses it without that pass. Set at the end of this folder: the last option counts.
+  if(MSVC)
+    set(as_written /fp:precise)
+    set(as_written_here "")
+    set(as_written_there "")
+  else()
+    set(as_written -fno-fast-math -ffp-contract=off)
+    set(as_written_here "")
+    set(as_written_there "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-tree-slp-vectorize>")
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|i[3-6]86)$" AND NOT EMSCRIPTEN)
+      set(as_written_here -mno-fma -mno-fma4)
+    endif()
+  endif()
+  list(JOIN as_written " " words) # in one piece: CMake drops an option that was there before
+  cmake_language(EVAL CODE "cmake_language(DEFER CALL target_compile_options [[${target}]]
+    PUBLIC [[$<$<COMPILE_LANGUAGE:C,CXX,OBJC,OBJCXX>:SHELL:${words}>]]
+    PRIVATE ${as_written_here} INTERFACE [[${as_written_there}]])")
+  message(STATUS "boomerang_accelerate(${target}): ${target}, and what links it, is compiled with ${words}")
 
   # All of ours, once, as objects.
   set(ours ${target}_boomerang)
@@ -217,12 +226,12 @@ function(boomerang_accelerate)
   # Options that lay out Box2D's classes, or that find its b2_user_settings.h.
   target_compile_options(${ours} PRIVATE
     "$<FILTER:$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>,INCLUDE,^(SHELL:)?[-/](D|I|U|isystem|fpack-struct|fshort-enums|Zp)>")
+  target_compile_options(${ours} PRIVATE ${as_written})
   if(MSVC)
-    target_compile_options(${ours} PRIVATE /fp:precise /w)
+    target_compile_options(${ours} PRIVATE /w)
   else()
-    target_compile_options(${ours} PRIVATE -w)
-    # Floating point means what it says, whatever the project's flags are; and memory may be missing (hull.cpp).
-    target_compile_options(${ours} PRIVATE -fno-fast-math -ffp-contract=off
+    # Memory may be missing (hull.cpp).
+    target_compile_options(${ours} PRIVATE -w
       "$<$<AND:$<COMPILE_LANGUAGE:CXX>,$<IN_LIST:-fno-rtti,$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>>>:-fno-rtti>")
     if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$") # nor traps in a lane that is not used (BoomerangTarget.cmake)
       target_compile_options(${ours} PRIVATE

@@ -55,7 +55,6 @@ BMR_NAME_MEMBER(ContactManager, b2World, m_contactManager, b2ContactManager b2Wo
 BMR_NAME_MEMBER(AllowSleep, b2World, m_allowSleep, bool b2World::*);
 BMR_NAME_MEMBER(TheDestructionListener, b2World, m_destructionListener, b2DestructionListener *b2World::*);
 BMR_NAME_MEMBER(Profile, b2World, m_profile, b2Profile b2World::*);
-BMR_NAME_MEMBER(StackAllocator, b2World, m_stackAllocator, b2StackAllocator b2World::*);
 BMR_NAME_MEMBER(NewContacts, b2World, m_newContacts, bool b2World::*);
 BMR_NAME_MEMBER(Locked, b2World, m_locked, bool b2World::*);
 BMR_NAME_MEMBER(InverseStep, b2World, m_inv_dt0, float b2World::*);

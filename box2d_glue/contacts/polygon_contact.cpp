@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "contacts/polygon_contact.h"
 
-#include <algorithm>
 #include <new>
 
 #include <box2d/b2_block_allocator.h>
@@ -20,11 +19,6 @@
 namespace bmr {
 
 namespace {
-
-// A search for a separating edge that finds none is paid for nothing, because Box2D then does its own. In a
-// pile the same pairs fail again and again: after 1, 2, 4, ... failures in a row this many evaluations go to
-// Box2D unsearched.
-constexpr uint8_t kMostPatience = 4;
 
 const b2PolygonShape &ShapeOf(const b2Fixture *fixture) {
     return *static_cast<const b2PolygonShape *>(fixture->GetShape());
@@ -100,14 +94,13 @@ inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB
         return Answer::ApartByEdge;
     if (state.pair != nullptr && !pairFirst && PairSaysApart(this, xfA, xfB))
         return Answer::ApartByPair;
-    // A manifold that is made here begins with the search for an edge; Box2D's would do it again.
-    return !ManifoldIsMadeHere() && FindEdge(xfA, xfB) ? Answer::ApartBySearch : Answer::HandedOver;
+    return Answer::HandedOver; // a manifold begins with the search for an edge
 }
 
 /// The manifold, once it has been asked whether the two are apart.
 inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
                                          const b2Transform &xfB) {
-    bool edgeFound = answer == Answer::ApartBySearch;
+    bool edgeFound = false;
     if (answer < Answer::HandedOver)
         manifold->pointCount = 0;
     else if (!ManifoldIsMadeHere())
@@ -138,28 +131,7 @@ void PolygonContact::CountAnswer(Answer answer) const {
 /// polygon that was never Set has none.)
 inline bool PolygonContact::ManifoldIsMadeHere() const {
     const auto known = [](const b2PolygonShape &shape) { return shape.m_count >= 3 && shape.m_count <= 8; };
-    return ContactsAreOurs() && RoundsToNearest() &&
-           (GetSettings().sameRounding || GetSettings().collideByFace != nullptr) &&
-           known(ShapeOf(m_fixtureA)) && known(ShapeOf(m_fixtureB));
-}
-
-/// b2CollidePolygons where Box2D rounds otherwise: what it goes by is found here, where that is certain, and
-/// its own source makes the points. Returns the edge that separates the two, as bmr_exact32_collide does.
-inline int32_t PolygonContact::CollideByKnownFace(b2Manifold *manifold, const b2Transform &xfA,
-                                                  const b2Transform &xfB, float tolerance) const {
-    const b2PolygonShape &shapeA = ShapeOf(m_fixtureA), &shapeB = ShapeOf(m_fixtureB);
-    const bmr_polygon32 a = Polygon32(shapeA), b = Polygon32(shapeB);
-    const int32_t face = bmr_exact32_face_contracted(&a, Transform32(xfA), &b, Transform32(xfB),
-                                                     shapeA.m_radius + shapeB.m_radius, tolerance);
-    if (face >= BMR_SEPARATES32) {
-        manifold->pointCount = 0;
-        return face - BMR_SEPARATES32;
-    }
-    if (face == BMR_NO_EDGE32)
-        b2CollidePolygons(manifold, &shapeA, xfA, &shapeB, xfB);
-    else
-        GetSettings().collideByFace(manifold, &shapeA, xfA, &shapeB, xfB, face);
-    return BMR_NO_EDGE32;
+    return ContactsAreOurs() && RoundsToNearest() && known(ShapeOf(m_fixtureA)) && known(ShapeOf(m_fixtureB));
 }
 
 /// b2CollidePolygons; where a face separates the two, remembers it and returns true.
@@ -167,10 +139,8 @@ inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform 
                                         const b2Transform &xfB) {
     constexpr float kTolerance = 0.1f * b2_linearSlop; // Box2D's: B's face must be better by this
     const bmr_polygon32 a = Polygon32(ShapeOf(m_fixtureA)), b = Polygon32(ShapeOf(m_fixtureB));
-    const int32_t edge = GetSettings().sameRounding
-                             ? bmr_exact32_collide(Manifold32(manifold), &a, Transform32(xfA), &b,
-                                                   Transform32(xfB), RadiusSum(), kTolerance)
-                             : CollideByKnownFace(manifold, xfA, xfB, kTolerance);
+    const int32_t edge = bmr_exact32_collide(Manifold32(manifold), &a, Transform32(xfA), &b, Transform32(xfB),
+                                             RadiusSum(), kTolerance);
     if (!EdgesAreOn())
         return false;
     state.link.byEdge.ofB = edge >= BMR_EDGES_OF_B32;
@@ -180,7 +150,7 @@ inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform 
 }
 
 /// Box2D's own test on one edge alone: where that edge's separation is larger than the radii, so is the
-/// largest. Where Box2D rounds otherwise the edge must separate by more than that can change.
+/// largest.
 inline bool PolygonContact::EdgeSeparates(uint8_t number, bool ofB, const b2Transform &xfA,
                                           const b2Transform &xfB) const {
     const b2PolygonShape &a = ShapeOf(m_fixtureA), &b = ShapeOf(m_fixtureB);
@@ -188,17 +158,11 @@ inline bool PolygonContact::EdgeSeparates(uint8_t number, bool ofB, const b2Tran
     // Also where no edge is remembered; and vertices may have been edited in place: the edge may be gone.
     if (number >= owner.m_count)
         return false;
-    if (GetSettings().sameRounding) {
-        const float separation = bmr_exact32_posed_separation(
-            Vectors32(owner.m_vertices) + number, Vectors32(owner.m_normals) + number,
-            Transform32(ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
-            Transform32(ofB ? xfA : xfB));
-        return separation > a.m_radius + b.m_radius;
-    }
-    return other.m_count > 0 && bmr_exact32_separates_contracted(
-                                    Vectors32(owner.m_vertices) + number, Vectors32(owner.m_normals) + number,
-                                    Transform32(ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
-                                    Transform32(ofB ? xfA : xfB), a.m_radius + b.m_radius);
+    const float separation = bmr_exact32_posed_separation(
+        Vectors32(owner.m_vertices) + number, Vectors32(owner.m_normals) + number,
+        Transform32(ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
+        Transform32(ofB ? xfA : xfB));
+    return separation > a.m_radius + b.m_radius;
 }
 
 inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const {
@@ -214,38 +178,6 @@ bmr_vec2 PolygonContact::KnownDirection() const {
     const b2Vec2 normal = b2Mul(owner->GetBody()->GetTransform().q, ShapeOf(owner).m_normals[memory.number]);
     const bmr_vec2 d = {static_cast<double>(normal.x), static_cast<double>(normal.y)};
     return ofB ? bmr_neg(d) : d;
-}
-
-/// Remembers the edge of largest separation of a polygon, if it separates the two in Box2D's sense.
-bool PolygonContact::FindEdge(const b2Transform &xfA, const b2Transform &xfB) {
-    if (!EdgesAreOn())
-        return false;
-    EdgeMemory &memory = state.link.byEdge;
-    if (memory.number == kNoEdge && memory.unasked > 0) {
-        --memory.unasked;
-        return false;
-    }
-    Count(&Counts::edgeSearches);
-    const float radiusSum = RadiusSum();
-    // The first polygon that has a separating edge will do, as it does for Box2D.
-    for (const bool ofB : {false, true}) {
-        const bmr_polygon32 owner = Polygon32(ShapeOf(ofB ? m_fixtureB : m_fixtureA));
-        const bmr_polygon32 other = Polygon32(ShapeOf(ofB ? m_fixtureA : m_fixtureB));
-        const bmr_transform32 frame =
-            bmr_exact32_relative(Transform32(ofB ? xfA : xfB), Transform32(ofB ? xfB : xfA));
-        int32_t edge = 0;
-        if (bmr_exact32_max_separation(&owner, &other, &frame, &edge) > radiusSum &&
-            (GetSettings().sameRounding || EdgeSeparates(static_cast<uint8_t>(edge), ofB, xfA, xfB))) {
-            memory.number = static_cast<uint8_t>(edge);
-            memory.ofB = ofB;
-            memory.patience = 0;
-            return true;
-        }
-    }
-    memory.number = kNoEdge;
-    memory.unasked = static_cast<uint8_t>((1u << memory.patience) - 1u);
-    memory.patience = std::min<uint8_t>(static_cast<uint8_t>(memory.patience + 1), kMostPatience) & 0xfu;
-    return false;
 }
 
 } // namespace bmr

@@ -46,10 +46,7 @@ private:
     void CountAnswer(Answer answer) const;
     bool EdgeSeparates(uint8_t number, bool ofB, const b2Transform &xfA, const b2Transform &xfB) const;
     bool EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const;
-    bool FindEdge(const b2Transform &xfA, const b2Transform &xfB);
     bool ManifoldIsMadeHere() const;
-    int32_t CollideByKnownFace(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
-                               float tolerance) const;
     bool CollideHere(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
 };
 

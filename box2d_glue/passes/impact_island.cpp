@@ -9,6 +9,7 @@
 #include "passes/contact_look.h"
 #include "passes/impacts.h"
 #include "passes/island_solver.h"
+#include "passes/sweeps.h"
 #include "start/box2d_asserts.h"
 #include "start/current_step.h"
 
@@ -45,7 +46,7 @@ void ImpactPass::BeforeGame() {
 
 void ImpactPass::PutBack(b2Body *body, const b2Sweep &sweep) {
     SweepOf(body) = sweep;
-    m_sweeps.synchronizeTransform(body);
+    SynchronizeTransform(body);
 }
 
 /// Lets the two bodies of the contact meet. False where they do not touch then, or are not to: they go on as
@@ -59,8 +60,8 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
         ledger->GetBodies().NoteDisplaced();
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
     const b2Sweep sweepA = SweepOf(*a), sweepB = SweepOf(*b);
-    m_sweeps.advanceBody(a, time);
-    m_sweeps.advanceBody(b, time);
+    Advance(a, time);
+    Advance(b, time);
     Update(contact);
     m_marks.ForgetTime(contact);
     m_marks.CountImpact(contact);
@@ -126,7 +127,7 @@ void ImpactPass::Spread(b2Body *body, float time, Island *island) {
             continue;
         const b2Sweep sweep = SweepOf(*other);
         if (!BodyInIsland::Is(other))
-            m_sweeps.advanceBody(other, time);
+            Advance(other, time);
         Update(contact);
         if (!IsSolidAndTouches(*contact)) {
             PutBack(other, sweep);

@@ -12,11 +12,6 @@
 namespace bmr {
 
 void IslandSolver::SolveToi() {
-    if (m_allocator != nullptr) {
-        TheStockSolver().solveToi(Parts(), m_step, m_listener);
-        Clear();
-        return;
-    }
     const int32 first = m_bodies[0]->*Named(IslandIndex()), second = m_bodies[1]->*Named(IslandIndex());
     BMR_BOX2D_ASSERTS(first < static_cast<int32>(m_bodyCount), "toiIndexA < m_bodyCount");
     BMR_BOX2D_ASSERTS(second < static_cast<int32>(m_bodyCount), "toiIndexB < m_bodyCount");

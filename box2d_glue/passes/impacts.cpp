@@ -11,6 +11,7 @@
 #include "passes/contact_access.h"
 #include "passes/contact_look.h"
 #include "passes/island_solver.h"
+#include "passes/sweeps.h"
 #include "proofs/convex_distance.h"
 #include "proofs/impact_scan.h"
 #include "shapes/convex_geometry.h"
@@ -51,8 +52,7 @@ inline bool MayImpact(b2Contact *contact) {
 ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
-      m_marks(m_manager), m_stoppers(world, solver != nullptr ? &solver->Room().stoppers : nullptr),
-      m_sweeps(solver != nullptr ? solver->GetSweeps() : OurSweeps()),
+      m_marks(m_manager), m_stoppers(world, &solver->Room().stoppers),
       m_gameRan(GameRan() && !(ListenersAreModest() && m_ledger != nullptr && m_ledger->AreAllWatched())),
       m_flagsAreRead(m_gameRan) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
@@ -96,15 +96,6 @@ void ImpactPass::Run() {
         m_pass->Complete();
 }
 
-bool ImpactPass::RunIfNone() {
-    if (!(m_world->*Named(StepComplete())) || m_world->GetSubStepping() || !MayUseHeap())
-        return false;
-    BeginBodies();
-    m_scan = ImpactScan::Begin();
-    m_ledger->GetMarks().ForgetImpacts(); // they say what is found; those at contacts are not asked for
-    return SearchByLedger(true);
-}
-
 // The beginning of a step.
 
 void ImpactPass::BeginStep() {
@@ -143,9 +134,8 @@ void ImpactPass::BeginBodies() {
 // The first search of a step, by the ledger.
 
 /// Looks at `all` pairs, or at those that are watched. (IslandPass watches every pair of a body that it
-/// wakes. Code of the game and Box2D's b2World::Solve wake bodies otherwise.) False if the pass has no solver
-/// and a pair may have an impact.
-bool ImpactPass::SearchByLedger(bool all) {
+/// wakes. Code of the game and Box2D's b2World::Solve wake bodies otherwise.)
+void ImpactPass::SearchByLedger(bool all) {
     m_ledger->BeginSearch(m_gameRan);
     for (uint32_t word = m_ledger->Count() / 64 + 1; word-- > 0;) {
         uint64_t left = m_ledger->ToSearch(word, all);
@@ -156,37 +146,31 @@ bool ImpactPass::SearchByLedger(bool all) {
                 continue;
             if (!m_ledger->LookForImpact(i))
                 continue;
-            if (!SearchPair(i))
-                return false;
+            SearchPair(i);
             if (m_ledger == nullptr) // there is no memory for the heap
-                return true;
+                return;
         }
     }
-    return true;
 }
 
-/// False if the pass has no solver and the pair may have an impact.
-bool ImpactPass::SearchPair(uint32_t i) {
+void ImpactPass::SearchPair(uint32_t i) {
     Marks &marks = m_ledger->GetMarks();
     b2Contact *const contact = m_ledger->Contact(i);
     if (m_ledger->OutlastsSweeps(i)) {
         marks.known.Set(i); // and its time is 1
         if (!Verifying())
-            return true;
+            return;
         m_isBudget = true;
     }
     EnableIfOwed(i);
     if (!contact->IsEnabled()) {
         marks.known.Clear(i);
         marks.parked.Set(i);
-    } else if (m_solver == nullptr && !IsProvedApart(*contact, nullptr)) {
-        return false;
-    } else if (m_solver != nullptr && MayImpact(contact)) {
+    } else if (MayImpact(contact)) {
         FindTime(contact);
         Queue(i);
     }
     m_isBudget = false;
-    return true;
 }
 
 /// Ahead of the first impact, where the game may have disabled contacts: a budget knows nothing of that.
@@ -329,9 +313,9 @@ void ImpactPass::FindTime(b2Contact *contact) {
     b2Sweep &sweepA = SweepOf(a), &sweepB = SweepOf(b);
     const float from = b2Max(sweepA.alpha0, sweepB.alpha0);
     if (sweepA.alpha0 < sweepB.alpha0)
-        m_sweeps.advance(&sweepA, from);
+        Advance(&sweepA, from);
     else if (sweepB.alpha0 < sweepA.alpha0)
-        m_sweeps.advance(&sweepB, from);
+        Advance(&sweepB, from);
     BMR_BOX2D_ASSERTS(from < 1.0f, "alpha0 < 1.0f");
     m_marks.SetTime(contact, TimeOf(contact, from));
 }
@@ -350,7 +334,7 @@ float ImpactPass::TimeOf(b2Contact *contact, float from) {
         ours.state = b2TOIOutput::e_separated;
         VerifyImpact(contact->GetFixtureA(), contact->GetFixtureB(), ours, output);
     }
-    return output.state == b2TOIOutput::e_touching ? m_sweeps.timeOfImpact(from, output.t) : 1.0f;
+    return output.state == b2TOIOutput::e_touching ? b2Min(from + (1.0f - from) * output.t, 1.0f) : 1.0f;
 }
 
 void ImpactPass::FillInput(const b2Contact &contact, b2TOIInput *input) {
@@ -371,7 +355,7 @@ bool ImpactPass::IsProvedApart(const b2Contact &contact, b2TOIInput *input) {
             {contact.GetFixtureA(), contact.GetChildIndexA(), SweepOf(*a), a->GetTransform().q},
             {contact.GetFixtureB(), contact.GetChildIndexB(), SweepOf(*b), b->GetTransform().q},
             GuessDirection(contact), contact.GetManifold()->pointCount > 0);
-    } else if (input != nullptr && !AnyBigPolygon()) {
+    } else if (!AnyBigPolygon()) {
         FillInput(contact, input);
         apart = NeverTouch(*input);
     } else {

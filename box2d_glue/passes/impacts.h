@@ -10,7 +10,6 @@
 #include <box2d/b2_world.h>
 
 #include "passes/stoppers.h"
-#include "passes/sweeps.h"
 #include "world/contact_marks.h"
 #include "world/ledger.h"
 
@@ -29,21 +28,17 @@ class IslandSolver;
 /// after that its Stoppers. Either way a pair that is proved apart over its whole motion is not asked.
 class ImpactPass {
 public:
-    /// Without a solver: for RunIfNone alone.
     ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver);
 
     void Run();
-    /// If there is no solver of islands: is it certain that the step has no impact? All is then as Box2D
-    /// would leave it.
-    bool RunIfNone();
 
 private:
     bool MayUseHeap() const;
     void BeginStep();
     void BeginBodies();
 
-    bool SearchByLedger(bool all);
-    bool SearchPair(uint32_t i);
+    void SearchByLedger(bool all);
+    void SearchPair(uint32_t i);
     void DoubtBudgets();
     void EnableIfOwed(uint32_t i);
     void AskAgain();
@@ -88,7 +83,6 @@ private:
     std::optional<Ledger::Pass> m_pass;
     ContactMarks m_marks;
     Stoppers m_stoppers;
-    const Sweeps &m_sweeps;
     ImpactScan *m_scan = nullptr; ///< while nothing has moved
     bool m_gameRan;               ///< ahead of the first search; and it may have changed more than motion
     bool m_wasGameCalled = false; ///< since the impact began

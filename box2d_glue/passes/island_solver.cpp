@@ -70,21 +70,14 @@ bool StaysAsItIs(const b2Body &body) {
 
 } // namespace
 
-void IslandSolver::SolveBy(IslandsBy solvedBy, b2World *world) {
-    m_allocator = solvedBy == IslandsBy::Box2D ? &(world->*Named(StackAllocator())) : nullptr;
-}
-
 bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) {
     const uint32_t waiting = 2 * bodies; // one island, and those that wait: no more than m_mostBodies
-    if (!m_room.stack.Reserve(bodies) || !m_bodies.Reserve(waiting) || !m_contacts.Reserve(contacts) ||
-        !m_joints.Reserve(joints))
-        return false;
     m_mostBodies = bodies;
-    return m_allocator != nullptr ||
-           (m_positions.Reserve(waiting) && m_velocities.Reserve(waiting) && m_islands.Reserve(bodies + 1) &&
-            m_solver.Reserve(waiting, contacts) && m_jointSolver.Reserve(joints) &&
-            m_orderedVelocities.Reserve(waiting, contacts + joints) &&
-            m_orderedPositions.Reserve(waiting, contacts));
+    return m_room.stack.Reserve(bodies) && m_bodies.Reserve(waiting) && m_contacts.Reserve(contacts) &&
+           m_joints.Reserve(joints) && m_positions.Reserve(waiting) && m_velocities.Reserve(waiting) &&
+           m_islands.Reserve(bodies + 1) && m_solver.Reserve(waiting, contacts) &&
+           m_jointSolver.Reserve(joints) && m_orderedVelocities.Reserve(waiting, contacts + joints) &&
+           m_orderedPositions.Reserve(waiting, contacts);
 }
 
 void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener, bool mayWait) {
@@ -107,11 +100,6 @@ void IslandSolver::Add(b2Body *body) {
 }
 
 void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
-    if (m_allocator != nullptr) {
-        TheStockSolver().solve(Parts(), m_step, gravity, allowSleep, m_listener, &m_profile);
-        Clear();
-        return;
-    }
     m_gravity = gravity;
     m_allowSleep = allowSleep;
     Island island = {m_waiting.endBody,
@@ -261,11 +249,6 @@ bool IslandSolver::SolvePositions(const Island &island) {
             return true;
     }
     return false;
-}
-
-IslandParts IslandSolver::Parts() const {
-    return {m_allocator, m_bodies.Data(), m_contacts.Data(), m_joints.Data(),
-            m_bodyCount, m_contactCount,  m_jointCount};
 }
 
 /// Forces and damping, as far as the body has a mass. The sweep begins where the body is.

@@ -11,8 +11,6 @@
 #include "passes/joint_solver.h"
 #include "passes/ordered_positions.h"
 #include "passes/ordered_velocities.h"
-#include "passes/stock_solver.h"
-#include "passes/which_solver.h"
 
 class b2Body;
 class b2Contact;
@@ -37,28 +35,22 @@ struct IslandRoom {
     Column<b2Contact *> stoppers; ///< passes/stoppers.h
 };
 
-/// Solves islands with the bits of Box2D's b2Island: itself, or by b2Island (stock_solver.h).
+/// Solves islands with the bits of Box2D's b2Island.
 ///
-/// A pass takes one of the thread's, says who solves islands, reserves room, and begins. It then adds an
-/// island's bodies, contacts and joints in Box2D's order, and solves it; Solve and SolveToi leave the island
-/// empty for the next one.
+/// A pass takes one of the thread's, reserves room, and begins. It then adds an island's bodies, contacts and
+/// joints in Box2D's order, and solves it; Solve and SolveToi leave the island empty for the next one.
 ///
 ///     Begin(step, listener)
 ///         Add(body) Add(contact) Add(joint) ... Solve(gravity, allowSleep)      once for each island
 ///     Finish(profile)
 class IslandSolver {
 public:
-    /// Call this before Reserve. `solvedBy`: what WhoSolvesIslands() returns, if it is not
-    /// IslandsBy::Nobody. Box2D's b2Island takes memory from the world's stack allocator.
-    void SolveBy(IslandsBy solvedBy, b2World *world);
     /// Room for islands of so many. False without memory: nothing has changed, and the pass is Box2D's.
     bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
 
     /// Begins a pass. `listener` gets PostSolve, unless it is nullptr. `mayWait`: islands may be solved
     /// together with others, and PostSolve called behind them.
     void Begin(const b2TimeStep &step, b2ContactListener *listener, bool mayWait);
-    /// The arithmetic that goes with its islands.
-    const Sweeps &GetSweeps() const { return m_allocator != nullptr ? TheStockSolver().sweeps : OurSweeps(); }
 
     /// Writes the body's m_islandIndex: its place among those that are solved together. Once they are solved
     /// it is the place in Box2D's island.
@@ -88,7 +80,6 @@ private:
     friend class IslandSolvers;
 
     void Clear();
-    IslandParts Parts() const;
     b2SolverData Data() { return {m_step, m_positions.Data(), m_velocities.Data()}; }
     bool IsWhole(const Island &island) const;
     bool MayWait(const Island &island) const;
@@ -127,7 +118,6 @@ private:
     b2TimeStep m_step = {};
     b2ContactListener *m_listener = nullptr;
     b2Profile m_profile = {};
-    b2StackAllocator *m_allocator = nullptr; ///< of b2Island, which solves this pass; nullptr: ours does
     bool m_isTaken = false;
     IslandSolver *m_next = nullptr; ///< another one of the thread
 };

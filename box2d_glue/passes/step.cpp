@@ -3,12 +3,13 @@
 
 #include <chrono>
 
+#include "base/per_thread.h"
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
 #include "passes/collide.h"
 #include "passes/impacts.h"
+#include "passes/island_solver.h"
 #include "passes/islands.h"
-#include "passes/taken_solver.h"
 #include "start/current_step.h"
 #include "start/settings.h"
 #include "world/ledger.h"
@@ -39,6 +40,30 @@ private:
     Clock::time_point m_last = m_first;
 };
 
+/// A solver for one pass. There is none if rounding is not to nearest, or if there is no memory. Then the
+/// pass is Box2D's.
+class TakenSolver {
+public:
+    TakenSolver(uint32_t bodies, uint32_t contacts, uint32_t joints) {
+        IslandSolvers *const solvers = RoundsToNearest() ? PerThread<IslandSolvers>() : nullptr;
+        m_solver = solvers != nullptr ? solvers->Take() : nullptr;
+        if (m_solver == nullptr || m_solver->Reserve(bodies, contacts, joints))
+            return;
+        IslandSolvers::GiveBack(m_solver);
+        m_solver = nullptr;
+    }
+    ~TakenSolver() {
+        if (m_solver != nullptr)
+            IslandSolvers::GiveBack(m_solver);
+    }
+    TakenSolver(const TakenSolver &) = delete;
+    TakenSolver &operator=(const TakenSolver &) = delete;
+    IslandSolver *Get() const { return m_solver; }
+
+private:
+    IslandSolver *m_solver;
+};
+
 void ClearForces(b2World *world) {
     const auto clear = [](b2Body *body) {
         (body->*Named(Force())).SetZero();
@@ -58,11 +83,11 @@ void ClearForces(b2World *world) {
 } // namespace
 
 bool StepIsOurs() {
-    return PassesRun() && GetSettings().islandsBy != IslandsBy::Nobody && RoundsToNearest();
+    return PassesRun() && RoundsToNearest();
 }
 
 bool Solve(b2World *world, const b2TimeStep &step) {
-    const TakenSolver solver(world, static_cast<uint32_t>(world->GetBodyCount()),
+    const TakenSolver solver(static_cast<uint32_t>(world->GetBodyCount()),
                              static_cast<uint32_t>(world->GetContactCount()),
                              static_cast<uint32_t>(world->GetJointCount()));
     if (solver.Get() == nullptr)
@@ -72,7 +97,7 @@ bool Solve(b2World *world, const b2TimeStep &step) {
 }
 
 bool SolveTOI(b2World *world, const b2TimeStep &step) {
-    const TakenSolver solver(world, 2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
+    const TakenSolver solver(2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
     if (solver.Get() == nullptr)
         return false;
     ImpactPass(world, step, solver.Get()).Run();

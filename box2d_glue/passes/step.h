@@ -17,8 +17,8 @@ bool StepIsOurs();
 /// them; and forces are cleared of the bodies that are awake alone, where it is known that no other has any.
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations);
 
-/// b2World::Solve and SolveTOI. False, and nothing done, if no solver of ours is to be had: the pass is
-/// Box2D's.
+/// b2World::Solve and SolveTOI. False, and nothing done, if the pass is Box2D's: the thread does not round to
+/// nearest, or there is no memory.
 bool Solve(b2World *world, const b2TimeStep &step);
 bool SolveTOI(b2World *world, const b2TimeStep &step);
 

@@ -8,8 +8,6 @@
 
 namespace bmr {
 
-namespace {
-
 void Advance(b2Sweep *sweep, float alpha) {
     BMR_BOX2D_ASSERTS(sweep->alpha0 < 1.0f, "alpha0 < 1.0f");
     const float beta = (alpha - sweep->alpha0) / (1.0f - sweep->alpha0);
@@ -29,23 +27,12 @@ void SynchronizeTransform(b2Body *body) {
     xf.p.y = sweep.c.y - (xf.q.s * center.x + xf.q.c * center.y);
 }
 
-void AdvanceBody(b2Body *body, float alpha) {
+void Advance(b2Body *body, float alpha) {
     b2Sweep &sweep = SweepOf(body);
     Advance(&sweep, alpha);
     sweep.c = sweep.c0;
     sweep.a = sweep.a0;
     SynchronizeTransform(body);
-}
-
-float TimeOfImpact(float from, float partOfTheRest) {
-    return b2Min(from + (1.0f - from) * partOfTheRest, 1.0f);
-}
-
-} // namespace
-
-const Sweeps &OurSweeps() {
-    static constexpr Sweeps sweeps = {Advance, AdvanceBody, SynchronizeTransform, TimeOfImpact};
-    return sweeps;
 }
 
 } // namespace bmr

@@ -12,8 +12,6 @@ struct EdgeMemory {
     uint8_t number;       ///< of the edge that kept the two apart, kNoEdge where none did
     uint8_t ofB : 1;      ///< whose edge it is
     uint8_t isVertex : 1; ///< of a sensor's contact: it is the vertex that was inside the other polygon
-    uint8_t patience : 4; ///< log2 of how many evaluations go by after the next search in vain
-    uint8_t unasked;      ///< evaluations that still go to Box2D before the next search for an edge
 };
 
 constexpr uint8_t kNoEdge = 0xff;

@@ -268,7 +268,7 @@ Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shape
     Overlap answer = Overlap::kUnknown;
     if (IsPlainPolygon(shapeA, q.a) && IsPlainPolygon(shapeB, q.b)) {
         const Polygons polygons(q, shapeA, shapeB);
-        EdgeMemory nothing = {kNoEdge, 0, 0, 0, 0};
+        EdgeMemory nothing = {kNoEdge, 0, 0};
         EdgeMemory *const known = memory != nullptr ? memory : &nothing;
         answer = polygons.AskAgain(*known);
         if (answer == Overlap::kUnknown)

@@ -7,7 +7,6 @@
 #include "base/rounding_mode.h"
 #include "boomerang/box2d_glue.h"
 #include "contacts/contact_register.h"
-#include "passes/which_solver.h"
 #include "start/environment.h"
 #include "start/process_locks.h"
 #include "start/reach.h"
@@ -34,26 +33,18 @@ bool Refuse(const char *why) {
     return false;
 }
 
-/// How much of a step is ours?
-const char *OurShare(const Presence &presence) {
-    if (!presence.passesRun)
-        return "contacts alone: ";
-    switch (GetSettings().islandsBy) {
-    case IslandsBy::Ours:
-        return "whole steps";
-    case IslandsBy::Box2D:
-        return "whole steps, islands by Box2D's solver";
-    case IslandsBy::Nobody:
-        break;
-    }
-    return "steps but for islands and impacts";
+/// Why Box2D's arithmetic is not the one that ours repeats, in a few words; nullptr where it is.
+const char *WhyRoundingIsAnother() {
+    if (!Box2DRoundsAsExact32())
+        return "this Box2D fuses products (as compilers do for ARM64, and with -march=haswell), or has "
+               "fast-math. Compile it with -ffp-contract=off and without, or use boomerang_accelerate()";
+    return Box2DCollidesEdgesAsExact32() ? nullptr : "edges collide by other rules in this Box2D";
 }
 
 void Announce(const Options &options) {
     const Presence presence = GetPresence();
-    std::fprintf(stderr, "boomerang: %s; %s %s; rounds %s Box2D; %s%s\n", NameOf(options.mode), presence.way,
-                 presence.box2d, presence.roundsAsBox2D ? "as" : "otherwise than", OurShare(presence),
-                 presence.whyNot);
+    std::fprintf(stderr, "boomerang: %s; %s %s; %s%s\n", NameOf(options.mode), presence.way, presence.box2d,
+                 presence.passesRun ? "whole steps" : "contacts alone: ", presence.whyNot);
 }
 
 } // namespace
@@ -76,11 +67,12 @@ bool InstallHere(const Options &given) {
         return false;
     if (const char *why = WhyThisBox2DIsUnknown())
         return Refuse(why);
+    if (const char *why = WhyRoundingIsAnother())
+        return Refuse(why);
     if (!MakeSettings(options, WhyNoPassRuns()))
         return Refuse("there is no memory");
     RegisterPolygonContacts();
-    if (GetSettings().sameRounding && Box2DCollidesEdgesAsExact32())
-        RegisterEdgeContacts();
+    RegisterEdgeContacts();
     ActivateHooks();
     installed = true;
     if (options.mode == Mode::Verify)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "start/rounding_probe.h"
 
-#include <atomic>
 #include <cfloat>
 #include <cmath>
 #include <cstring>
@@ -49,8 +48,6 @@ bool AgreesAt(float angle, float tilt, float distance) {
     return LeavesEarly(a, xfA, b, xfB);
 }
 
-std::atomic<CollideByFace> collideByFace{nullptr};
-
 /// Two polygons that overlap, in the i-th of many ways.
 struct Overlapping {
     b2PolygonShape a, b;
@@ -74,22 +71,6 @@ struct Overlapping {
 
     static constexpr float kSize = b2_lengthUnitsPerMeter;
 };
-
-/// 1: the two give the same bits; 0: they do not; -1: this pair does not tell.
-int AgreesOf(CollideByFace byFace, const Overlapping &pair) {
-    const bmr_polygon32 a = Polygon32(pair.a), b = Polygon32(pair.b);
-    const int32_t face = bmr_exact32_face_contracted(&a, Transform32(pair.xfA), &b, Transform32(pair.xfB),
-                                                     pair.a.m_radius + pair.b.m_radius, 0.1f * b2_linearSlop);
-    b2Manifold whole, known;
-    std::memset(static_cast<void *>(&whole), 0, sizeof whole);
-    std::memset(static_cast<void *>(&known), 0, sizeof known);
-    b2CollidePolygons(&whole, &pair.a, pair.xfA, &pair.b, pair.xfB);
-    if (face < 0 || face >= BMR_SEPARATES32 || whole.pointCount == 0)
-        return -1;
-    byFace(&known, &pair.a, pair.xfA, &pair.b, pair.xfB, face);
-    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits, and all of them were written
-    return std::memcmp(&whole, &known, sizeof whole) == 0 ? 1 : 0;
-}
 
 /// The i-th of many links with a polygon about one of its ends.
 bool EdgeAgrees(int i, b2Manifold *manifold) {
@@ -132,25 +113,6 @@ bool Box2DCollidesEdgesAsExact32() {
         ++points[manifold.pointCount];
     }
     return points[0] >= kLeast && points[1] >= kLeast && points[2] >= kLeast;
-}
-
-void SetCollideByFace(CollideByFace function) {
-    collideByFace.store(function, std::memory_order_relaxed);
-}
-
-CollideByFace FindCollideByFace() {
-    constexpr int kPairs = 96, kLeast = 32;
-    const CollideByFace byFace = collideByFace.load(std::memory_order_relaxed);
-    if (byFace == nullptr)
-        return nullptr;
-    int told = 0;
-    for (int i = 0; i < kPairs; ++i) {
-        const int agrees = AgreesOf(byFace, Overlapping(i));
-        if (agrees == 0)
-            return nullptr;
-        told += agrees > 0 ? 1 : 0;
-    }
-    return told >= kLeast ? byFace : nullptr;
 }
 
 bool Box2DRoundsAsExact32() {

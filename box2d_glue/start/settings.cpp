@@ -4,7 +4,6 @@
 #include "proofs/hull.h"
 #include "proofs/thresholds.h"
 #include "start/environment.h"
-#include "start/rounding_probe.h"
 #include "tell/event.h"
 #include "tell/exit_line.h"
 
@@ -38,9 +37,6 @@ bool MakeSettings(const Options &options, const char *whyNoPass) {
             return false;
         made.compass = compass; // for as long as the process lives: hulls of every world point to it
     }
-    made.sameRounding = Box2DRoundsAsExact32();
-    made.islandsBy = WhoSolvesIslands();
-    made.collideByFace = made.sameRounding ? nullptr : FindCollideByFace();
     internal::settings = made;
     return true;
 }

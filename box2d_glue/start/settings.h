@@ -8,8 +8,6 @@
 #include "base/compiler.h"
 #include "boomerang/box2d_glue.h"
 #include "boomerang/pair.h"
-#include "passes/which_solver.h"
-#include "start/rounding_probe.h"
 #include "tell/counts.h"
 
 namespace bmr {
@@ -28,9 +26,6 @@ struct Settings {
     const bmr_compass *compass = nullptr;
     /// Why no pass of ours runs; nullptr where passes run.
     const char *whyNoPass = nullptr;
-    bool sameRounding = false; ///< Box2D here rounds as core/exact32 does: its bits can be computed here
-    IslandsBy islandsBy = IslandsBy::Nobody;
-    CollideByFace collideByFace = nullptr; ///< where it does not: Box2D's own points of a known face
 };
 
 /// A function of Box2D's that has a hook, and that our passes need to be called by.
@@ -87,11 +82,6 @@ inline bool ContactsAreOurs() {
 /// test: the first line of hooks that are called many times a step.
 inline bool NothingIsInstalled() {
     return BMR_RARELY(internal::state.load(std::memory_order_acquire) == internal::State::Nothing);
-}
-
-/// Are boxes and trees ours, whose bits are those of Box2D's operations? Not where it rounds otherwise.
-inline bool BoxesAreOurs() {
-    return PassesRun() && GetSettings().sameRounding;
 }
 
 /// Is every answer to be compared with Box2D's?

@@ -19,7 +19,6 @@ template <typename Number> struct CountsOf {
     /// Times Box2D asked for a manifold of two polygons, or of a big ConvexShape with anything.
     Number evaluations{0};
     Number edgeChecks{0};         ///< remembered edges re-tested
-    Number edgeSearches{0};       ///< full separating-edge searches in front of b2CollidePolygons
     Number verdictsReused{0};     ///< answers of a body pair given again at the same poses
     Number provedApart{0};        ///< evaluations answered without Box2D
     Number handedOver{0};         ///< evaluations that needed a manifold
@@ -45,7 +44,6 @@ template <typename Visit, typename... Some> void VisitCounts(const Visit &visit,
     visit("steps", of.steps...);
     visit("evaluations", of.evaluations...);
     visit("edge_checks", of.edgeChecks...);
-    visit("edge_searches", of.edgeSearches...);
     visit("verdicts_reused", of.verdictsReused...);
     visit("proved_apart", of.provedApart...);
     visit("handed_over", of.handedOver...);

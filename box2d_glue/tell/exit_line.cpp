@@ -105,8 +105,7 @@ void WriteCounts() {
         [file](const char *name, uint64_t count) { std::fprintf(file, "%s %" PRIu64 "\n", name, count); },
         counted);
     const Presence presence = GetPresence();
-    std::fprintf(file, "way %s %s; rounds %s Box2D\nno_pass %s\n", presence.way, presence.box2d,
-                 presence.roundsAsBox2D ? "as" : "otherwise than", presence.whyNot);
+    std::fprintf(file, "way %s %s\nno_pass %s\n", presence.way, presence.box2d, presence.whyNot);
     std::fclose(file);
 }
 

@@ -133,16 +133,9 @@ const b2PolygonShape &ShapeOf(const b2Fixture &fixture) {
     return static_cast<const b2PolygonShape &>(*fixture.GetShape());
 }
 
-/// In Box2D's sense, however it rounds.
+/// In Box2D's sense.
 bool Separates(const FaceGap &gap, const b2Fixture &owner, const b2Fixture &other) {
-    const float radiusSum = ShapeOf(owner).m_radius + ShapeOf(other).m_radius;
-    if (GetSettings().sameRounding || IsBig(owner) || IsBig(other))
-        return gap.separation > radiusSum;
-    const b2PolygonShape &own = ShapeOf(owner), &others = ShapeOf(other);
-    return bmr_exact32_separates_contracted(
-        Vectors32(own.m_vertices) + gap.edge, Vectors32(own.m_normals) + gap.edge,
-        Transform32(owner.GetBody()->GetTransform()), Vectors32(others.m_vertices), others.m_count,
-        Transform32(other.GetBody()->GetTransform()), radiusSum);
+    return gap.separation > ShapeOf(owner).m_radius + ShapeOf(other).m_radius;
 }
 
 /// If the edge separates the two, it is the proof.

@@ -13,7 +13,6 @@ Presence GetPresence() {
     Presence presence;
     presence.way = TheWay();
     presence.box2d = VersionOfBox2D();
-    presence.roundsAsBox2D = GetSettings().sameRounding;
     presence.passesRun = PassesRun();
     if (const char *const why = GetSettings().whyNoPass)
         presence.whyNot = why;

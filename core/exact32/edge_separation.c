@@ -96,46 +96,6 @@ float bmr_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *nor
     return least_separation(&e, points, count);
 }
 
-/// The largest |x| and |y| of the points: x, y, x, y. A coordinate that is a NaN counts as nothing: no
-/// evaluation makes a number of it.
-static inline float4 largest_coordinates(const bmr_vec32 *points, int32_t count) {
-    float4 largest = zero4();
-    for (int32_t i = 0; i + 1 < count; i += 2)
-        largest = max4(abs4(load4(&points[i].x)), largest);
-    const bmr_vec32 *last = points + count - 1;
-    largest = max4(abs4(load_pairs4(&last->x, &last->x)), largest);
-    return max4(largest, exchange4(largest));
-}
-
-/// Why 32 roundings. A compiler that fuses rounds a product and the sum that it goes into once instead of
-/// twice, wherever it likes. So an evaluation is the exact value of the formulas with each term times some
-/// factors 1 + d, |d| <= u = 2^-24. The number of factors is at most the number of operations between the
-/// term and the result: 1 for the difference of the places; 2 for the frame (a product and a sum), 3 for its
-/// place; 4 for the normal, turned by the frame; 5 for the vertex, turned and moved by the frame, and 6 less
-/// the point; 4 + 6 + 2 = 12 for the product of both and the sum of two. Let S be the same formulas of
-/// magnitudes: every number without its sign, every difference a sum; for the minimum over the points, of the
-/// largest |x| and the largest |y| of all points. Each term is in S with its full size. So an evaluation is
-/// off by at most 12 u S, and two evaluations differ by at most 24 u S. The rounding of S itself is a part of
-/// 12 u of it; the difference and the comparison add 2 u S. 32 u S leave room for six more operations on a
-/// term, as sums in another order may need.
-bool bmr_exact32_separates_contracted(const bmr_vec32 *vertex, const bmr_vec32 *normal,
-                                      const bmr_transform32 *reference, const bmr_vec32 *points,
-                                      int32_t count, const bmr_transform32 *other, float beyond) {
-    const posed_edge e = pose_edge(vertex, normal, reference, other);
-    const float least = least_separation(&e, points, count);
-    if (!(least > beyond))
-        return false;
-    // The same formulas of the numbers' magnitudes, with a sum for each difference: each term here is at
-    // least as large as the term of the formula that it stands for.
-    const float4 turned = abs4(e.at_other), d = abs4(e.d), a = abs4(e.a);
-    const float4 f = add4(mul4(splat4(turned, 3), d), mul4(splat4(turned, 2), swap4(d)));
-    const float4 n = add4(mul4(splat4(f, 3), a), mul4(splat4(f, 2), swap4(a))), v = add4(n, lows4(f, f));
-    const float4 apart = add4(highs4(v, v), largest_coordinates(points, count));
-    const float size = sum_of_first4(mul4(n, apart));
-    const float rounding = 32.0f * 0x1p-24f;
-    return least - rounding * size > beyond;
-}
-
 float bmr_exact32_max_separation(const bmr_polygon32 *reference, const bmr_polygon32 *other,
                                  const bmr_transform32 *frame, int32_t *edge) {
     const max_edge found = find_max_edge(reference, other, load4(&frame->p.x));

@@ -54,16 +54,6 @@ float bmr_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *nor
                                    const bmr_transform32 *reference, const bmr_vec32 *points, int32_t count,
                                    const bmr_transform32 *other);
 
-/// Is it more than `beyond` however the same formulas are rounded? A compiler may fuse any product with the
-/// sum that it goes into (fused multiply-add), so that each operation rounds or does not. True is certain,
-/// for any numbers in the arrays and wherever they are: what rounding may change is bounded by the same
-/// formulas of the magnitudes (edge_separation.c). False where it is too close to call, and where anything
-/// overflows. About half again the cost of bmr_exact32_posed_separation where that exceeds `beyond`, else the
-/// same.
-bool bmr_exact32_separates_contracted(const bmr_vec32 *vertex, const bmr_vec32 *normal,
-                                      const bmr_transform32 *reference, const bmr_vec32 *points,
-                                      int32_t count, const bmr_transform32 *other, float beyond);
-
 /// The largest edge separation over all edges of `reference` and the first edge that has it.
 float bmr_exact32_max_separation(const bmr_polygon32 *reference, const bmr_polygon32 *other,
                                  const bmr_transform32 *frame, int32_t *edge);
@@ -94,7 +84,7 @@ typedef struct bmr_manifold32 {
 } bmr_manifold32;
 enum { BMR_MANIFOLD_FACE_A = 1, BMR_MANIFOLD_FACE_B = 2 };
 
-enum { BMR_NO_EDGE32 = -1, BMR_EDGES_OF_B32 = 8, BMR_SEPARATES32 = 16 };
+enum { BMR_NO_EDGE32 = -1, BMR_EDGES_OF_B32 = 8 };
 
 /// How two polygons of 3 to 8 vertices touch: the manifold of Box2D's b2CollidePolygons, to the bit. It
 /// writes the fields that b2CollidePolygons writes, and no others: `count` always; `type` where no face
@@ -124,15 +114,7 @@ bool bmr_exact32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
                               const bmr_transform32 *pose_edge, const bmr_polygon32 *polygon,
                               bmr_vec32 centroid, const bmr_transform32 *pose, float radius_sum);
 
-/// The face that b2CollidePolygons takes for the reference of two polygons of 3 to 8 vertices, however its
-/// formulas are rounded (see bmr_exact32_separates_contracted): an edge of A, or BMR_EDGES_OF_B32 plus one of
-/// B. Where a face separates the two by more than their skins for certain, so that there are no points,
-/// BMR_SEPARATES32 more than that. BMR_NO_EDGE32 where it is too close to call, and where anything overflows.
-/// About a third more than the search for a face that bmr_exact32_collide begins with.
-int32_t bmr_exact32_face_contracted(const bmr_polygon32 *a, const bmr_transform32 *pose_a,
-                                    const bmr_polygon32 *b, const bmr_transform32 *pose_b, float radius_sum,
-                                    float tolerance);
-/// bmr_exact32_collide in plain C.
+// bmr_exact32_collide in plain C.
 int32_t bmr_exact32_collide_scalar(bmr_manifold32 *manifold, const bmr_polygon32 *a,
                                    const bmr_transform32 *pose_a, const bmr_polygon32 *b,
                                    const bmr_transform32 *pose_b, float radius_sum, float tolerance);

@@ -10,7 +10,7 @@ namespace bmr::hooks {
 namespace {
 
 bool IsOurs() {
-    return PassesRun(HookOf::MoveProxy) && BoxesAreOurs() && RoundsToNearest();
+    return PassesRun(HookOf::MoveProxy) && RoundsToNearest();
 }
 
 BMR_NOINLINE bool MoveInstalled(b2DynamicTree *tree, int32 id, const b2AABB &aabb,

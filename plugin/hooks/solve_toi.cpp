@@ -4,10 +4,8 @@
 #include <box2d/b2_world.h>
 
 #include "passes/contact_access.h"
-#include "passes/impacts.h"
 #include "passes/step.h"
 #include "reach/stock.h"
-#include "start/current_step.h"
 #include "start/settings.h"
 #include "world/ledger.h"
 #include "world/ledgers.h"
@@ -20,16 +18,13 @@ void b2World::SolveTOI(const b2TimeStep &step) {
     if (NothingIsInstalled())
         return stock::SolveToi(this, step);
     Ledger *const ledger = FindLedger(&m_contactManager);
-    if (PassesRun(HookOf::SolveToi) &&
-        (bmr::SolveTOI(this, step) ||
-         (!StepUnderWay::IsInner() && ImpactPass(this, step, nullptr).RunIfNone())))
+    if (PassesRun(HookOf::SolveToi) && bmr::SolveTOI(this, step))
         return;
     if (ledger != nullptr) {
         ledger->Owed().EnableDownTo(0);
         ledger->GiveMarksBack();
         ledger->GetBodies().NoteDisplaced();
-        if (GetSettings().islandsBy != IslandsBy::Nobody) // and reads who touches in the next step
-            ledger->Interrupt();
+        ledger->Interrupt(); // and reads who touches in the next step
     }
     if (ContactsAreOurs() && HasCodeOfGame(m_contactManager))
         BeforeGame(&m_contactManager);

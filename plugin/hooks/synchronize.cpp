@@ -12,7 +12,7 @@ using namespace bmr;
 BMR_FOR_LOADERS("_ZN9b2Fixture11SynchronizeEP12b2BroadPhaseRK11b2TransformS4_");
 
 void b2Fixture::Synchronize(b2BroadPhase *broadPhase, const b2Transform &xf1, const b2Transform &xf2) {
-    if (PassesRun(HookOf::Synchronize) && BoxesAreOurs() && RoundsToNearest())
+    if (PassesRun(HookOf::Synchronize) && RoundsToNearest())
         tree::SynchronizeBoxes(
             this, broadPhase, xf1, xf2,
             [](b2Fixture *fixture, b2BroadPhase *phase, const b2Transform &first, const b2Transform &second) {

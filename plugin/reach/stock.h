@@ -11,12 +11,10 @@
 class b2BroadPhase;
 class b2Body;
 class b2Contact;
-class b2ContactListener;
 class b2ContactManager;
 class b2DynamicTree;
 class b2Fixture;
 class b2Joint;
-class b2PolygonShape;
 class b2Shape;
 class b2World;
 struct b2AABB;
@@ -26,8 +24,6 @@ struct b2DistanceOutput;
 struct b2DistanceProxy;
 struct b2Filter;
 struct b2JointDef;
-struct b2Manifold;
-struct b2Profile;
 struct b2ShapeCastInput;
 struct b2ShapeCastOutput;
 struct b2SimplexCache;
@@ -57,10 +53,6 @@ struct b2TOIOutput;
 #    define BMR_STOCK(name, mangled, ...) inline Real<__VA_ARGS__> name(mangled)
 #endif
 
-namespace bmr {
-struct IslandParts;
-} // namespace bmr
-
 namespace bmr::stock {
 
 BMR_STOCK(Step, "_ZN7b2World4StepEfii", void(b2World *, float, int32, int32));
@@ -82,25 +74,10 @@ BMR_STOCK(Refilter, "_ZN9b2Fixture8RefilterEv", void(b2Fixture *));
 BMR_STOCK(SetFilterData, "_ZN9b2Fixture13SetFilterDataERK8b2Filter", void(b2Fixture *, const b2Filter &));
 
 #if defined(BMR_RENAMED)
-/// b2CollidePolygons of a reference face that is known: start/rounding_probe.h. Nothing of Box2D's has a name
-/// for it.
-void CollideByFace(b2Manifold *manifold, const b2PolygonShape *polyA, const b2Transform &xfA,
-                   const b2PolygonShape *polyB, const b2Transform &xfB, int32 face);
-/// b2Island, and the arithmetic of SolveTOI, as passes/stock_solver.h wants them.
-void SolveIsland(const IslandParts &parts, const b2TimeStep &step, const b2Vec2 &gravity, bool allowSleep,
-                 b2ContactListener *listener, b2Profile *profile);
-void SolveToiIsland(const IslandParts &parts, const b2TimeStep &step, b2ContactListener *listener);
-void AdvanceSweep(b2Sweep *sweep, float alpha);
-void AdvanceBody(b2Body *body, float alpha);
-void SynchronizeTransform(b2Body *body);
-float TimeOfImpact(float from, float partOfTheRest);
 /// Are Box2D's assertions compiled?
 bool Asserts();
 /// b2Assert, of an assertion that does not hold.
 void Fails(const char *assertion);
-/// May the compiler round one expression otherwise in another function (-ffast-math, x87)? Then what is
-/// compiled a second time has other bits.
-bool RoundsByPlace();
 #endif
 
 BMR_STOCK(CreateProxy, "_ZN13b2DynamicTree11CreateProxyERK6b2AABBPv",

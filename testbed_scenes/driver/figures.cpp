@@ -114,7 +114,6 @@ void Figures::AddEvents(const SceneResult &result) {
     add("ledger.looks_per_step", "looks");
     add("ledger.renewals_per_step", "renewals");
     Add("ledger.looks_percent", looks && pairs ? Quotient(100.0 * *looks, pairs) : std::optional<double>());
-    add("plugin.edge_searches_per_step", "edge_searches");
     add("plugin.verdicts_reused_per_step", "verdicts_reused");
     add("plugin.proved_apart_per_step", "proved_apart");
     std::optional<double> all = 0.0;
@@ -211,7 +210,6 @@ const SceneTable &EventTable() {
         "What the plugin did instead, per step",
         {
             {"certificate checks", "edge", "checks.edge_per_step", 1},
-            {"certificate checks", "search", "plugin.edge_searches_per_step", 1},
             {"certificate checks", "kinetic", "checks.kinetic_per_step", 1},
             {"events", "start", "events.start_per_step", 2},
             {"events", "stab", "events.stab_per_step", 2},

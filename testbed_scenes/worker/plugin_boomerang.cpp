@@ -116,7 +116,7 @@ const char *PluginName() {
 
 nlohmann::json PluginPresence() {
     const bmr::Presence presence = bmr::GetPresence();
-    return {{"way", presence.way}, {"box2d", presence.box2d}, {"rounds_as_box2d", presence.roundsAsBox2D}};
+    return {{"way", presence.way}, {"box2d", presence.box2d}};
 }
 
 nlohmann::json PluginStatistics() {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Sourced. Which processor a variant of the shelf runs on: this one, or, where it lacks what `fma` is compiled for, one that qemu-user
+# Sourced. Which processor a variant of the shelf runs on: this one, or, where it lacks what `fma` and `regrouped` are compiled for, one that qemu-user
 # plays.
 # shellcheck shell=bash disable=SC2034
 
@@ -24,7 +24,7 @@ processor_for() {
         return
     fi
     runner=(env BOOMERANG=on) set_variable=()
-    if [ "$1" != fma ] || ! lacks_fma; then return; fi
+    if [[ ! $1 =~ ^(fma|regrouped)$ ]] || ! lacks_fma; then return; fi
     if ! command -v qemu-x86_64 >/dev/null; then
         echo "box2d_builds: this processor has no fused multiply-add: the variant $1 needs qemu-user" >&2
         return 1

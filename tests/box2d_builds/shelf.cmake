@@ -9,8 +9,9 @@
 #   allocator   b2Alloc and b2Free of its own, shared          memory must go back to whom it came from
 #   fma         -O3 -march=haswell, shared                     products are added without being rounded
 #   hidden      an archive, compiled with -fvisibility=hidden  as static, and nothing of it is seen from outside
+#   regrouped   an archive: -march=haswell -ffast-math         accelerated, it has the bits of the others
 #
-# The last three are there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by
+# The last four are there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by
 # the same flags, with boomerang_accelerate: box2d_VARIANT_accelerated, in <build>/VARIANT/accelerated/. (Where the first is of one
 # source, this is of CMake's unity; without BOX2D_BUILDS_LONG always.)
 #
@@ -25,11 +26,12 @@
 # that can be seen from outside is called by its name, also within one source.)
 set(BOX2D_SHELF debian ndebug units10 static)
 set(BOX2D_SHELF_STATIC static)
+set(BOX2D_SHELF_FUSED fma regrouped)
 set(BOX2D_ACCELERATED static)
 if(BOX2D_BUILDS_LONG)
-  list(APPEND BOX2D_SHELF allocator fma hidden)
-  list(APPEND BOX2D_SHELF_STATIC hidden)
-  set(BOX2D_ACCELERATED static ndebug allocator units10 fma hidden)
+  list(APPEND BOX2D_SHELF allocator fma hidden regrouped)
+  list(APPEND BOX2D_SHELF_STATIC hidden regrouped)
+  set(BOX2D_ACCELERATED static ndebug allocator units10 fma hidden regrouped)
 endif()
 
 execute_process(COMMAND dpkg-buildflags --get CPPFLAGS OUTPUT_VARIABLE debian_preprocessor OUTPUT_STRIP_TRAILING_WHITESPACE
@@ -121,5 +123,6 @@ macro(box2d_shelf source)
     box2d_variant(allocator FLAGS ${shared_flags} -O2 SETTINGS ${CMAKE_CURRENT_LIST_DIR}/settings/allocator)
     box2d_variant(fma FLAGS ${shared_flags} -O3 GAME ${fused})
     box2d_variant(hidden ARCHIVE FLAGS -O2 -fvisibility=hidden -fvisibility-inlines-hidden)
+    box2d_variant(regrouped ARCHIVE FILE_BY_FILE FLAGS -O3 GAME ${fused} -ffast-math)
   endif()
 endmacro()

@@ -67,9 +67,8 @@ TEST_CASE("who asks is told what is at work, and what is not reached without the
         options.verbosity = 1;
         PrintInstall(run, options);
     });
-    CHECK(said.find("done, installed: boomerang: on; contacts alone of Box2D 2.4.1; rounds ") == 0);
-    CHECK(said.find(" Box2D; contacts alone: calls of b2World::Step do not come by this library\n") !=
-          std::string::npos);
+    CHECK(said == "done, installed: boomerang: on; contacts alone of Box2D 2.4.1; contacts alone: calls of "
+                  "b2World::Step do not come by this library\n\n");
 }
 
 TEST_CASE("of processes that share their announcement one claims it") {
@@ -102,7 +101,7 @@ TEST_CASE("a file that BOOMERANG_COUNTS names gets what is counted, when the pro
     std::remove(name.c_str());
     CHECK(status == 0);
     CHECK(counts.find("evaluations 0\n") != std::string::npos);
-    CHECK(counts.find("way contacts alone of Box2D 2.4.1; rounds ") != std::string::npos);
+    CHECK(counts.find("way contacts alone of Box2D 2.4.1\n") != std::string::npos);
     CHECK(counts.find("no_pass calls of b2World::Step") != std::string::npos);
 }
 

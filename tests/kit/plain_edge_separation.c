@@ -7,6 +7,5 @@
 #define bmr_exact32_max_separation_scalar test_plain_exact32_max_separation_scalar
 #define bmr_exact32_edge_separation test_plain_exact32_edge_separation
 #define bmr_exact32_posed_separation test_plain_exact32_posed_separation
-#define bmr_exact32_separates_contracted test_plain_exact32_separates_contracted
 #define bmr_exact32_max_separation test_plain_exact32_max_separation
 #include "exact32/edge_separation.c" // NOLINT(bugprone-suspicious-include): its plain form

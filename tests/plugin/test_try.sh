@@ -29,7 +29,7 @@ misses() { ! says "$1"; }
 
 holds "a game with a shared Box2D profits or not, and nothing differs" tries 0 -- "$bin/plain_game"
 holds "it says where Box2D is" says 'Box2D is a shared library here, /.*/libbox2d\.so'
-holds "it says what is at work" says 'ahead of Box2D 2\.4\.1; rounds as Box2D\. It runs whole steps'
+holds "it says what is at work" says 'ahead of Box2D 2\.4\.1\. It runs whole steps'
 holds "it says what a step takes" says 'A step takes [0-9.]+ [mu]s in stock Box2D and [0-9.]+ [mu]s with Boomerang: .* \(one round of 240 steps\)'
 holds "it says what was compared" says 'Under verify [1-9][0-9,]+ answers were compared with Box2D.s: none differs'
 holds "it says how to go on, or that it does not pay" says 'LD_PRELOAD=/.*/libboomerang_box2d.* .*/plain_game|does not pay'

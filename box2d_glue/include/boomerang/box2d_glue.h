@@ -111,8 +111,7 @@ struct Presence {
     /// (boomerang_accelerate), "behind a wrapper of Box2D" (another b2World::Step is ahead), "behind Box2D"
     /// or "contacts alone of Box2D" (the glue without the plugin).
     const char *way = "";
-    const char *box2d = "";     ///< "2.4.1" or "2.4.2"
-    bool roundsAsBox2D = false; ///< false also until Install has found it out
+    const char *box2d = ""; ///< "2.4.1" or "2.4.2"
     /// True once Install has seen that Box2D's calls reach all functions that our passes replace: it steps
     /// a small world to find out (about 0.1 ms). Otherwise only the contacts of polygons are ours.
     bool passesRun = false;

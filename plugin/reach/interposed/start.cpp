@@ -5,9 +5,7 @@
 #include <cstdlib>
 
 #include "boomerang/box2d.h"
-#include "passes/stock_solver.h"
 #include "reach/interposed/library_check.h"
-#include "reach/stock.h"
 #include "start/environment.h"
 #include "start/install.h"
 #include "start/reach.h"
@@ -71,10 +69,6 @@ __attribute__((constructor)) void Loaded() {
     ReadVerbosity();
     const bool wrapped = !StepsComeByHere() && AWrapperStepsFirst();
     SetLibraryCheck(WhyLibraryIsUnknown);
-    TheStockSolver().solveWorld = [](b2World *world, const b2TimeStep &step) { stock::Solve(world, step); };
-    TheStockSolver().solveImpacts = [](b2World *world, const b2TimeStep &step) {
-        stock::SolveToi(world, step);
-    };
     if (StepsComeByHere())
         SetWay("ahead of Box2D", nullptr);
     else

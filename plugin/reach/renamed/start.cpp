@@ -4,12 +4,10 @@
 #include "start.h"
 
 #include "boomerang/box2d.h"
-#include "passes/stock_solver.h"
 #include "reach/stock.h"
 #include "start/box2d_asserts.h"
 #include "start/install.h"
 #include "start/reach.h"
-#include "start/rounding_probe.h"
 #include "tell/exit_line.h"
 
 namespace bmr {
@@ -31,24 +29,11 @@ bool internal::MeetBox2D(const void *) {
 
 namespace {
 
-// What is compiled a second time, where it has Box2D's bits.
-void MeetSecondCopies() {
-    if (stock::RoundsByPlace())
-        return;
-    SetCollideByFace(stock::CollideByFace);
-    TheStockSolver() = {
-        stock::Solve,
-        stock::SolveToi,
-        stock::SolveIsland,
-        stock::SolveToiIsland,
-        {stock::AdvanceSweep, stock::AdvanceBody, stock::SynchronizeTransform, stock::TimeOfImpact}};
-}
-
 // (Install may be called before the first step.)
 [[maybe_unused]] const bool told =
-    (SetWay("compiled with Box2D", nullptr), MeetSecondCopies(), SetBox2DAsserts(stock::Asserts()),
-     SetBox2DFails(stock::Fails), internal::LinkOfConvexOutlines(), internal::LinkOfInspect(),
-     internal::LinkOfOutlineShape(), internal::LinkOfSlack(), internal::LinkOfStatistics(), true);
+    (SetWay("compiled with Box2D", nullptr), SetBox2DAsserts(stock::Asserts()), SetBox2DFails(stock::Fails),
+     internal::LinkOfConvexOutlines(), internal::LinkOfInspect(), internal::LinkOfOutlineShape(),
+     internal::LinkOfSlack(), internal::LinkOfStatistics(), true);
 
 } // namespace
 
