@@ -309,7 +309,7 @@ bool PairSaysApart(SolidContact *contact, const b2Transform &xfA, const b2Transf
     // In a step, LookAtShapes has compared the hulls with their fixtures. Since then a listener or a filter
     // may have changed vertices, or have made a sensor solid, which is in no hull. Outside of steps nothing
     // was compared. So this contact's own two fixtures are compared now.
-    return !GameRan() || (step != 0 && ListenersAreModest()) || HullsHold(*contact);
+    return !GameRan() || HullsHold(*contact);
 }
 
 void InvalidateBody(b2Body *body) {

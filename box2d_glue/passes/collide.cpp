@@ -17,7 +17,6 @@
 #include "start/current_step.h"
 #include "start/settings.h"
 #include "tell/exit_line.h"
-#include "tell/modesty.h"
 #include "tell/verify.h"
 #include "world/ledger.h"
 #include "world/ledgers.h"
@@ -64,7 +63,6 @@ private:
 
     void BeforeGame();
     void AfterGame();
-    void FindDue();
 
     Ledger *m_ledger;
     b2ContactManager *m_manager;
@@ -76,9 +74,7 @@ private:
     uint64_t m_seen = 0; ///< the look whose results the pass uses, as long as no code of the game ran
     uint64_t m_due =
         0; ///< of the word of 64 records that the pass is in, those that are due and still to come
-    bool m_mayHaveWoken = false; ///< a modest listener (Options::modestListeners) was called
-    uint32_t m_changes = 0;      ///< Ledger::Changes, for the word
-    uint32_t m_word = 0;         ///< its number; words from it on were looked at
+    uint32_t m_word = 0; ///< its number; words from it on were looked at
 };
 
 // The game's code: a listener or a filter.
@@ -86,8 +82,7 @@ private:
 /// The game may be called: contacts that the pass has passed are enabled, as Box2D's loop would have left
 /// them.
 void CollidePass::BeforeGame() {
-    if (!ListenersAreModest())
-        m_ledger->Owed().Pause(m_at + 1);
+    m_ledger->Owed().Pause(m_at + 1);
 }
 
 /// The game was called: what was read before may have changed. (A step that a listener makes unlocks the
@@ -96,15 +91,10 @@ void CollidePass::AfterGame() {
     GameRan() = true;
     const bool stepped = m_ledger->PassNumber() != m_passNumber;
     const bool locked = !stepped && m_world->IsLocked();
-    if (ListenersAreModest() && locked && m_ledger->CurrentLook() == m_seen && m_ledger->IsWhole()) {
-        m_mayHaveWoken = true;
-        FindDue();
-        return;
-    }
     m_ledger->Distrust(locked);
     if (stepped)
         m_ledger->Owed().Begin(m_at); // and this pass goes on
-    else if (!ListenersAreModest())
+    else
         m_ledger->Owed().GoOn(m_at + 1);
     m_passNumber = m_ledger->PassNumber();
 }
@@ -127,10 +117,7 @@ uint32_t CollidePass::Next() {
         if (m_word == 0)
             return Ledger::kNone;
         --m_word;
-        if (m_mayHaveWoken && !m_ledger->AreAllWatched())
-            m_ledger->WatchWoken(m_word);
         m_due = m_ledger->DueOf(m_word);
-        m_changes = m_ledger->Changes();
         for (uint64_t left = m_due, ahead = kAhead; left != 0 && ahead > 0; --ahead)
             ContactNumber::Prefetch(m_ledger->Contact(TakeNewest(&left)));
     }
@@ -188,17 +175,6 @@ void CollidePass::Wake(const b2Body *body, uint32_t i) {
     m_ledger->Wake(body);
     if (m_word == i / 64)
         m_due = m_ledger->DueOf(m_word) & ~(~uint64_t{0} << (i % 64));
-}
-
-/// Of the word that the pass is in, again: a modest listener may have woken bodies, or flagged contacts.
-void CollidePass::FindDue() {
-    if (!m_ledger->AreAllWatched()) {
-        m_ledger->Owed().EnableDownTo(m_at + 1); // who slept when the pass reached them are not
-        m_ledger->WatchWoken(m_word);
-    }
-    if (m_changes != m_ledger->Changes())
-        m_due = m_ledger->DueOf(m_word) & ~(~uint64_t{0} << (m_at % 64));
-    m_changes = m_ledger->Changes();
 }
 
 /// As Box2D looks at a contact. If it is apart afterwards, it gets a budget.
@@ -263,10 +239,6 @@ void CollidePass::Visit(uint32_t i) {
         }
         m_ledger->LookAgain(i);
     }
-    if (m_mayHaveWoken) // since the pass looked at its two bodies
-        for (const uint32_t row : {record.a, record.b})
-            if (!movers.IsActive(row) && movers.IsActiveNow(row))
-                Wake(movers[row].body, i);
     if (!movers.IsActive(record.a) && !movers.IsActive(record.b)) { // Wake has marked bodies that woke since
         m_ledger->SetTouches(i, contact->IsTouching());             // an impact may have changed it
         m_ledger->Rest(i);
@@ -337,7 +309,6 @@ void CollidePass::End() {
 } // namespace
 
 void Collide(b2ContactManager *manager) {
-    const ModestyCheck check(WorldOf(*manager), true);
     Ledger *const ledger = RoundsToNearest() ? LedgerForStep(manager) : nullptr;
     if (ledger != nullptr && !ledger->MayHaveUnlisted() && ledger->NextStepPays() && ledger->Follow()) {
         CollidePass(ledger, manager).Run();

@@ -227,10 +227,8 @@ void ImpactPass::ReadWhatGameDid() {
         return;
     Marks &marks = m_ledger->GetMarks();
     Movers &movers = m_ledger->GetMovers();
-    // (A modest listener may only wake.)
-    if (!ListenersAreModest() || movers.HadSleepers())
-        for (uint32_t row = movers.NextNewSweep(0); row != Movers::kNone; row = movers.NextNewSweep(row + 1))
-            AskPairsOf(movers[row].body);
+    for (uint32_t row = movers.NextNewSweep(0); row != Movers::kNone; row = movers.NextNewSweep(row + 1))
+        AskPairsOf(movers[row].body);
     for (uint32_t word = 0; word < marks.parked.Words(); ++word)
         for (uint64_t left = marks.parked.Word(word); left != 0; left &= left - 1) {
             const uint32_t i = word * 64 + LowestBit(left);

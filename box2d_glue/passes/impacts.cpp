@@ -18,7 +18,6 @@
 #include "start/box2d_asserts.h"
 #include "start/current_step.h"
 #include "start/settings.h"
-#include "tell/modesty.h"
 #include "tell/verify.h"
 
 namespace bmr {
@@ -52,8 +51,7 @@ inline bool MayImpact(b2Contact *contact) {
 ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
-      m_marks(m_manager), m_stoppers(world, &solver->Room().stoppers),
-      m_gameRan(GameRan() && !(ListenersAreModest() && m_ledger != nullptr && m_ledger->AreAllWatched())),
+      m_marks(m_manager), m_stoppers(world, &solver->Room().stoppers), m_gameRan(GameRan()),
       m_flagsAreRead(m_gameRan) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
@@ -66,7 +64,6 @@ bool ImpactPass::MayUseHeap() const {
 }
 
 void ImpactPass::Run() {
-    const ModestyCheck check(m_world, false);
     bool &stepComplete = m_world->*Named(StepComplete());
     if (MayUseHeap())
         m_pass.emplace(m_ledger);
@@ -175,7 +172,7 @@ void ImpactPass::SearchPair(uint32_t i) {
 
 /// Ahead of the first impact, where the game may have disabled contacts: a budget knows nothing of that.
 void ImpactPass::DoubtBudgets() {
-    if (m_budgetsDoubted || !m_gameRan || ListenersAreModest())
+    if (m_budgetsDoubted || !m_gameRan)
         return;
     m_budgetsDoubted = true;
     Marks &marks = m_ledger->GetMarks();

@@ -13,7 +13,6 @@
 #include "start/box2d_asserts.h"
 #include "start/current_step.h"
 #include "start/settings.h"
-#include "tell/modesty.h"
 #include "tell/verify.h"
 
 namespace bmr {
@@ -76,7 +75,6 @@ IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
 }
 
 void IslandPass::Run() {
-    const ModestyCheck check(m_world, false);
     b2Profile &profile = m_world->*Named(Profile());
     profile.solveInit = profile.solveVelocity = profile.solvePosition = 0.0f;
     ClearFlags();

@@ -96,11 +96,6 @@ inline bool WorksEverywhere() {
     return GetSettings().everywhere || options.statistics || options.mode == Mode::Verify;
 }
 
-/// Is Options::modestListeners to be relied on?
-inline bool ListenersAreModest() {
-    return GetSettings().options.modestListeners && !Verifying();
-}
-
 inline bool EdgesAreOn() {
     return GetSettings().remembersEdges;
 }

@@ -140,7 +140,6 @@ void Ledger::GiveMarksBack() {
 }
 
 void Ledger::Take(uint32_t i) {
-    ++m_changes;
     DropLine(i);
     if (IsWatched(i))
         Unwatch(i);

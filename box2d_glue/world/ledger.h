@@ -106,9 +106,6 @@ public:
     uint32_t NextDue(uint32_t end);
     /// Code of the game ran: what was read before may have changed. `locked`: the world was, all the while.
     void Distrust(bool locked);
-    /// In the middle of a pass: of this word's pairs, those of bodies that woke are watched.
-    void WatchWoken(uint32_t word);
-    bool AreAllWatched() const { return m_watched == m_live; }
     uint32_t WatchedCount() const { return static_cast<uint32_t>(m_watched); }
     /// Of these, the ones that touched when they were looked at.
     uint32_t CountTouching() const {
@@ -117,8 +114,6 @@ public:
             count += CountBits(WatchedOf(word) & TouchingOf(word));
         return count;
     }
-    /// Goes up where a pair may be due, or be gone, for another reason than its movers' motion.
-    uint32_t Changes() const { return m_changes; }
     bool IsDue(uint32_t i) const {
         const Record &record = m_records[i];
         return bmr_budget_is_due(record.deadline, m_movers.Moved(record.a), m_movers.Moved(record.b));
@@ -342,7 +337,7 @@ private:
     int32 m_live = 0, m_watched = 0;
     uint64_t m_step = 0; ///< CurrentStep() of the last look at all movers
     uint64_t m_look = 1; ///< goes up whenever what was read may be old
-    uint32_t m_passNumber = 0, m_changes = 0;
+    uint32_t m_passNumber = 0;
     uint32_t m_passes = 0;         ///< under way
     uint32_t m_endings = 0;        ///< of these, ends of contacts
     uint32_t m_unlisted = 0;       ///< records with kUnlisted

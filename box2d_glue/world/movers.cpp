@@ -342,14 +342,12 @@ void Movers::FindSweepBits(uint32_t row, uint64_t look) {
 }
 
 void Movers::LookAtAllSweeps(uint64_t look) {
-    m_hadSleepers = false;
     for (uint32_t row = 0; row < m_count; ++row) {
         PrefetchBody(row + kBodiesAhead);
         if (m_rows[row].records == 0)
             continue;
         FindSweepBits(row, look);
         m_changeable[row] = static_cast<uint16_t>(ChangeableOf(m_rows[row]));
-        m_hadSleepers |= (m_sweepBits[row] & kActive) == 0 && m_rows[row].body->GetType() != b2_staticBody;
     }
 }
 
@@ -377,7 +375,7 @@ void Movers::FindEnd(uint32_t row, bool careful, uint64_t look) {
     const double turn = std::fabs(a - a0);
     const b2Vec2 from = b2Abs(sweep.c0), to = b2Abs(sweep.c);
     const double farthest = static_cast<double>(b2Max(b2Max(from.x, from.y), b2Max(to.x, to.y)));
-    const b2PolygonShape *polygon = careful && !ListenersAreModest() ? PolygonOf(*mover.fixture) : nullptr;
+    const b2PolygonShape *polygon = careful ? PolygonOf(*mover.fixture) : nullptr;
     const double reach = std::ldexp(static_cast<double>(kImpactReach), mover.band);
     const bool known = (polygon == nullptr || DigestOf(*polygon) == mover.shape) &&
                        farthest + mover.motion.reach <= reach &&

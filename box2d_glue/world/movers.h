@@ -101,8 +101,6 @@ public:
             FindSweepBits(row, look);
     }
     void LookAtAllSweeps(uint64_t look);
-    /// Did that find a body asleep?
-    bool HadSleepers() const { return m_hadSleepers; }
     /// Reads the flags of sweeps anew, from this row on up to one that has others than before; kNone where
     /// there is none.
     uint32_t NextNewSweep(uint32_t row);
@@ -188,7 +186,7 @@ private:
     Column<uint8_t> m_bits, m_sweepBits;
     Column<uint16_t> m_changeable; ///< see NextNewSweep
     KeyTable m_byFixture;
-    bool m_sumsLost = false, m_newStops = false, m_hadSleepers = false;
+    bool m_sumsLost = false, m_newStops = false;
     uint32_t m_count = 0, m_free = kNone;
 };
 

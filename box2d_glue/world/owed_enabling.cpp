@@ -44,7 +44,7 @@ void OwedEnabling::EnableOfSleeper(const b2Body *body) {
 }
 
 void OwedEnabling::EndPass(bool gameRan) {
-    if ((gameRan || m_gameRan) && !ListenersAreModest())
+    if (gameRan || m_gameRan)
         EnableDownTo(0);
     m_gameRan = gameRan;
 }

@@ -43,8 +43,7 @@ public:
     void EnableOfSleeper(const b2Body *body);
     /// Code of the game is to be called in a step that has a pass, behind it.
     void BeforeGame() {
-        if (!ListenersAreModest())
-            EnableDownTo(0);
+        EnableDownTo(0);
         m_gameRan = true;
     }
     /// The pass over pairs is complete. Code of the game that ran in this step, or since the last pass, may

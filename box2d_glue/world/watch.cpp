@@ -10,7 +10,6 @@ namespace bmr {
 
 /// From here on its movers are looked at in every step. It is due: what they did meanwhile is unknown.
 void Ledger::Watch(uint32_t i) {
-    ++m_changes;
     const Record &record = m_records[i];
     for (const uint32_t row : {record.a, record.b})
         ++m_movers[row].watched;
@@ -40,7 +39,6 @@ void Ledger::Flag(const b2Contact *contact, uint8_t bits) {
     if (!IsWatched(i))
         Watch(i);
     SetDue(i);
-    ++m_changes;
     m_bits[i] |= bits;
 }
 
@@ -104,18 +102,6 @@ uint64_t Ledger::DueOf(uint32_t word) const {
     for (uint32_t i = first; i < end; ++i)
         due |= static_cast<uint64_t>(IsDue(i)) << (i - first);
     return due & m_awake.Word(word);
-}
-
-void Ledger::WatchWoken(uint32_t word) {
-    const uint32_t first = word * 64, end = m_count < first + 64 ? m_count : first + 64;
-    for (uint32_t i = first; i < end; ++i) {
-        if (IsWatched(i) || m_contacts[i] == nullptr)
-            continue;
-        const Record record = m_records[i];
-        for (const uint32_t row : {record.a, record.b})
-            if (m_movers.IsActiveNow(row))
-                WakeRow(row);
-    }
 }
 
 void Ledger::Distrust(bool locked) {

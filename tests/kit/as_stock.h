@@ -36,9 +36,8 @@ constexpr Form kForms[] = {{"on", false, false},
 enum How : unsigned {
     kAsAny = 0,
     kMayBeSilent = 1, ///< the library may have nothing to answer in it
-    kModest = 2,      ///< Options::modestListeners
-    kInstalls = 4,    ///< it calls Run::Install itself
-    kBreaksRules = 8  ///< Box2D's, other than by Game::StepWithin, which says so
+    kInstalls = 2,    ///< it calls Run::Install itself
+    kBreaksRules = 4  ///< Box2D's, other than by Game::StepWithin, which says so
 };
 
 inline std::string Played(const Scenario &play, const Form &form, unsigned how) {
@@ -47,7 +46,6 @@ inline std::string Played(const Scenario &play, const Form &form, unsigned how) 
     const PairsBy by(form.structure);
     options.statistics = form.counts;
     options.mode = form.mode;
-    options.modestListeners = (how & kModest) != 0;
     const auto counted = [&](Run &run) {
         const bmr::Counted before = bmr::internal::ReadCounts();
         play(run);

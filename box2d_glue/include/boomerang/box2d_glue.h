@@ -75,20 +75,6 @@ struct Options {
                     const bmr_event &event) = nullptr;
     void *eventContext = nullptr;
     Mode mode = Mode::On;
-    /// A promise of the game: while a step is under way, its listeners and filters change no more of a world
-    /// than
-    ///
-    ///   - velocities and forces of bodies, also of bodies that sleep, which they may wake;
-    ///   - SetEnabled, SetFriction, SetRestitution and SetTangentSpeed of the contact that a call is about.
-    ///
-    /// They put no body to sleep, make no body a bullet and no fixture a sensor (or the other way round), and
-    /// write to no shape. They may read all. Between steps the game does as it likes. IsEnabled() of a
-    /// contact that is apart, and that the game disabled between steps, may stay false.
-    ///
-    /// With the promise, shapes and contacts are not read again behind each call. If it is broken, bodies may
-    /// differ from stock Box2D's. Mode::Verify does not rely on it: it compares shapes, flags of bodies, who
-    /// is a sensor, and which contacts are enabled. A change is a difference, and is named.
-    bool modestListeners = false;
     /// 0: only refusals and differences are printed on stderr. 1: Presence, too.
     int32_t verbosity = 0;
     /// How b2World::DebugDraw draws a ConvexShape, if the shared library stands in front of Box2D.

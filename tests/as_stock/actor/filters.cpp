@@ -125,20 +125,6 @@ bool World::ReactAsWildFilter(b2Fixture *a, b2Fixture *b) {
     return mixed / 32 % 9 != 0;
 }
 
-/// False: the pair is refused, this time.
-bool World::ReactAsModestFilter(b2Fixture *a, b2Fixture *b) {
-    const uint32_t mixed = Mix(*a, *b, kFilter) / 7;
-    b2Body *third = SomeBody(mixed / 64);
-    MayThrow(kFilter);
-    if (mixed % 12 == 0)
-        ThrowBody(third, mixed / 64);
-    else if (mixed % 12 == 1)
-        third->SetAwake(true);
-    else if (mixed % 12 == 2)
-        third->ApplyForceToCenter({static_cast<float>(mixed / 64 % 64), 8.0f}, mixed % 24 < 12);
-    return mixed / 32 % 9 != 0;
-}
-
 void World::StepInItself(const Moment &moment) {
     if (m_inItself || m_inImpacts || (moment.occasion != kPreSolve && moment.occasion != kBegin))
         return;

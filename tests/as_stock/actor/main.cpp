@@ -7,8 +7,6 @@
 //   actor serve                             plays what comes in (serving.h)
 //
 //   --any-size            those with polygons of any size; without it the others
-//   --modest              listeners and filters do no more than bmr::Options::modestListeners permits
-//   --permit REACTION     and this, which is the control
 //   --dump RECORD         that record in words, on stderr
 //   --perturb RECORD      the control: one unit in the last place of one velocity, ahead of that record
 //
@@ -44,7 +42,7 @@ int Usage() {
     std::fprintf(
         stderr,
         "usage: actor seeds FIRST COUNT | corpus FILE [NAME...] | play BYTES | hex FIRST COUNT | serve\n"
-        "             [--any-size] [--modest] [--permit REACTION] [--dump RECORD] [--perturb RECORD]\n");
+        "             [--any-size] [--dump RECORD] [--perturb RECORD]\n");
     return 2;
 }
 
@@ -98,10 +96,6 @@ int main(int argc, char **argv) {
         const std::string word = argv[i];
         if (word == "--any-size")
             anySize = true;
-        else if (word == "--modest")
-            actor::World::isModest = true;
-        else if (word == "--permit" && i + 1 < argc)
-            actor::World::permitted = actor::ReactionOf(argv[++i]);
         else if ((word == "--dump" || word == "--perturb") && i + 1 < argc)
             (word == "--dump" ? dumpAt : perturbAt) = std::atoi(argv[++i]);
         else
@@ -144,7 +138,7 @@ int main(int argc, char **argv) {
         }
         return 0;
     }
-    actor::Install(actor::World::isModest);
+    actor::Install();
     for (const Input &input : inputs) {
         bool wanted = words[0] != "corpus" || words.size() == 2;
         for (size_t i = 2; i < words.size() && words[0] == "corpus"; ++i)

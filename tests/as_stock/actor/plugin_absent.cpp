@@ -3,7 +3,7 @@
 
 namespace actor {
 
-bool Install(bool) {
+bool Install() {
     return false;
 }
 

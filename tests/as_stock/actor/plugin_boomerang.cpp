@@ -26,11 +26,10 @@ void OnEvent(void *, const b2Body *, const b2Body *, const bmr_event &event) {
 
 } // namespace
 
-bool Install(bool modest) {
+bool Install() {
     const char *how = std::getenv("BMR_ACTOR_INSTALL");
     bmr::Options options;
     options.statistics = true;
-    options.modestListeners = modest;
     if (how != nullptr && std::strcmp(how, "told") == 0)
         options.onEvent = OnEvent;
     return bmr::Install(options);

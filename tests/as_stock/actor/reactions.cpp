@@ -189,104 +189,102 @@ void MaskAll(Moment &m) {
 } // namespace
 
 const Reaction kReactions[] = {
-    {"nothing", kModest, [](Moment &) {}},
-    {"disables", kModest, [](Moment &m) { m.contact->SetEnabled(false); }},
-    {"disables", kModest, [](Moment &m) { m.contact->SetEnabled(false); }},
-    {"sets friction", kModest, [](Moment &m) { m.contact->SetFriction(m.amount); }},
-    {"sets restitution", kModest,
+    {"nothing", kLocked, [](Moment &) {}},
+    {"disables", kLocked, [](Moment &m) { m.contact->SetEnabled(false); }},
+    {"disables", kLocked, [](Moment &m) { m.contact->SetEnabled(false); }},
+    {"sets friction", kLocked, [](Moment &m) { m.contact->SetFriction(m.amount); }},
+    {"sets restitution", kLocked,
      [](Moment &m) {
          m.contact->SetRestitution(m.amount);
-         if (!World::isModest)
-             m.contact->SetRestitutionThreshold(m.amount);
+         m.contact->SetRestitutionThreshold(m.amount);
      }},
-    {"sets tangent speed", kModest, [](Moment &m) { m.contact->SetTangentSpeed(10.0f * m.amount - 5.0f); }},
-    {"switches bullet", kImmodest, [](Moment &m) { m.body->SetBullet(!m.body->IsBullet()); }},
-    {"switches another bullet", kImmodest, [](Moment &m) { m.third->SetBullet(!m.third->IsBullet()); }},
-    {"puts to sleep", kImmodest, [](Moment &m) { m.body->SetAwake(false); }},
-    {"wakes another or not", kModest,
-     [](Moment &m) { m.third->SetAwake(World::isModest || m.mixed / 64 % 2 == 0); }},
-    {"makes a sensor", kImmodest, [](Moment &m) { m.fixture->SetSensor(true); }},
-    {"makes solid", kImmodest, [](Moment &m) { m.fixture->SetSensor(false); }},
-    {"refilters", kImmodest, [](Moment &m) { m.fixture->Refilter(); }},
-    {"turns back", kModest,
+    {"sets tangent speed", kLocked, [](Moment &m) { m.contact->SetTangentSpeed(10.0f * m.amount - 5.0f); }},
+    {"switches bullet", kLocked, [](Moment &m) { m.body->SetBullet(!m.body->IsBullet()); }},
+    {"switches another bullet", kLocked, [](Moment &m) { m.third->SetBullet(!m.third->IsBullet()); }},
+    {"puts to sleep", kLocked, [](Moment &m) { m.body->SetAwake(false); }},
+    {"wakes another or not", kLocked, [](Moment &m) { m.third->SetAwake(m.mixed / 64 % 2 == 0); }},
+    {"makes a sensor", kLocked, [](Moment &m) { m.fixture->SetSensor(true); }},
+    {"makes solid", kLocked, [](Moment &m) { m.fixture->SetSensor(false); }},
+    {"refilters", kLocked, [](Moment &m) { m.fixture->Refilter(); }},
+    {"turns back", kLocked,
      [](Moment &m) { m.body->SetLinearVelocity(-m.amount * m.body->GetLinearVelocity()); }},
-    {"pushes another", kModest,
+    {"pushes another", kLocked,
      [](Moment &m) {
          m.third->ApplyLinearImpulseToCenter({m.amount, 1.0f - m.amount}, true);
          m.third->ApplyAngularImpulse(m.amount, false);
      }},
-    {"evaluates", kModest,
+    {"evaluates", kLocked,
      [](Moment &m) {
          ProbeContact(m.world.Probes(), *m.contact, {0.0f, 0.0f});
      }},
-    {"asks for distances", kModest,
+    {"asks for distances", kLocked,
      [](Moment &m) {
          ProbePair(m.world.Probes(), *m.contact->GetFixtureA(), m.contact->GetChildIndexA(),
                    *m.contact->GetFixtureB(), m.contact->GetChildIndexB());
      }},
-    {"makes a box of it", kImmodest,
+    {"makes a box of it", kLocked,
      [](Moment &m) {
          if (b2PolygonShape *polygon = PlainPolygon(*m.fixture))
              polygon->SetAsBox(0.2f + m.amount, 0.3f);
      }},
-    {"sets another's freedoms", kImmodest,
+    {"sets another's freedoms", kLocked,
      [](Moment &m) {
          m.third->SetGravityScale(m.amount - 0.5f);
          m.third->SetSleepingAllowed(m.mixed / 64 % 2 == 0);
      }},
-    {"reads contacts", kModest, LookAtContacts},
-    {"steps the other world", kImmodest,
+    {"reads contacts", kLocked, LookAtContacts},
+    {"steps the other world", kLocked,
      [](Moment &m) {
          if (m.world.other != nullptr && !m.world.other->Box2D().IsLocked())
              m.world.other->Step(1.0f / 60.0f, 4, 2);
      }},
-    {"sets radius", kImmodest,
+    {"sets radius", kLocked,
      [](Moment &m) { m.fixture->GetShape()->m_radius = m.amount * 4.0f * b2_polygonRadius; }},
-    {"resets friction", kImmodest,
+    {"resets friction", kLocked,
      [](Moment &m) {
          m.fixture->SetFriction(m.amount);
          m.contact->ResetFriction();
          m.contact->ResetRestitution();
      }},
-    {"exchanges itself", kImmodest, [](Moment &m) { m.world.ChangeHandsForNow(m.mixed / 64); }},
-    {"steps its own world", kImmodest, [](Moment &m) { m.world.StepInItself(m); }},
-    {"makes a sensor or solid, with care", kImmodest, TurnSensorWithCare},
-    {"shoots another", kImmodest,
+    {"exchanges itself", kLocked, [](Moment &m) { m.world.ChangeHandsForNow(m.mixed / 64); }},
+    {"steps its own world", kLocked, [](Moment &m) { m.world.StepInItself(m); }},
+    {"makes a sensor or solid, with care", kLocked, TurnSensorWithCare},
+    {"shoots another", kLocked,
      [](Moment &m) {
          m.third->SetBullet(true);
          ThrowBody(m.third, m.mixed / 8);
      }},
-    {"edits a shape", kImmodest, [](Moment &m) { Edit(m.fixture, m.mixed / 64); }},
-    {"sets filter data", kImmodest, [](Moment &m) { SetFilterData(m.fixture, m.mixed / 64); }},
-    {"draws", kModest,
+    {"edits a shape", kLocked, [](Moment &m) { Edit(m.fixture, m.mixed / 64); }},
+    {"sets filter data", kLocked, [](Moment &m) { SetFilterData(m.fixture, m.mixed / 64); }},
+    {"draws", kLocked,
      [](Moment &m) {
          if (m.world.MayLook())
              m.world.Draw();
      }},
-    {"sets the world's solver", kImmodest, SetWorld},
-    {"moves the centre of mass", kImmodest, SetDensity},
-    {"disables another contact", kImmodest, DisableOther},
-    {"disables all of another", kImmodest,
+    {"sets the world's solver", kLocked, SetWorld},
+    {"moves the centre of mass", kLocked, SetDensity},
+    {"disables another contact", kLocked, DisableOther},
+    {"disables all of another", kLocked,
      [](Moment &m) {
          for (b2ContactEdge *edge = m.third->GetContactList(); edge != nullptr; edge = edge->next)
              m.world.Disable(edge->contact);
      }},
-    {"reads edges", kModest, LookAtEdges},
-    {"throws it", kModest, [](Moment &m) { ThrowBody(m.body, m.mixed / 8); }},
+    {"reads edges", kLocked, LookAtEdges},
+    {"throws it", kLocked, [](Moment &m) { ThrowBody(m.body, m.mixed / 8); }},
     {"ends, makes, moves between steps", kUnlocked, ActBetweenSteps},
-    {"puts bodies out of the world", kImmodest, DisableInStep},
-    {"tries what is refused", kImmodest, TryWhatIsRefused},
-    {"masks all of another", kImmodest, MaskAll},
-    {"edits another shape", kImmodest,
+    {"puts bodies out of the world", kLocked, DisableInStep},
+    {"tries what is refused", kLocked, TryWhatIsRefused},
+    {"masks all of another", kLocked, MaskAll},
+    {"edits another shape", kLocked,
      [](Moment &m) {
          if (b2Fixture *fixture = m.third->GetFixtureList())
              Edit(fixture, m.mixed / 64);
      }},
-    {"shifts another's shapes", kImmodest,
+    {"shifts another's shapes", kLocked,
      [](Moment &m) {
          EditAll(m.third, 1.0f, {m.mixed / 64 % 2 == 0 ? 0.15f : -0.15f, 0.0f});
      }},
-    {"shifts its shapes", kImmodest,
+    {"shifts its shapes", kLocked,
      [](Moment &m) {
          EditAll(m.body, 1.0f, {m.mixed / 64 % 2 == 0 ? 0.15f : -0.15f, 0.0f});
      }},

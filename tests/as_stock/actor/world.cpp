@@ -86,9 +86,9 @@ void World::Step(float timeStep, int32 velocityIterations, int32 positionIterati
     if (m_handsChanged)
         ChangeHands(0);
     m_handsChanged = false;
-    if (m_disabled && (!m_heard || isModest)) {
-        // A known difference: if nobody listens, or listeners are modest, Boomerang may leave a contact
-        // disabled that the game disabled while it had no points.
+    if (m_disabled && !m_heard) {
+        // A known difference: if nobody listens, Boomerang may leave a contact disabled that the game
+        // disabled while it had no points.
         for (b2Contact *contact = m_world.GetContactList(); contact != nullptr; contact = contact->GetNext())
             if (!contact->IsTouching() || contact->GetFixtureA()->IsSensor() ||
                 contact->GetFixtureB()->IsSensor())
@@ -243,9 +243,9 @@ void World::SayGoodbye(b2Fixture *fixture) {
 bool World::ShouldCollide(b2Fixture *a, b2Fixture *b) {
     m_called = true;
     // The same for a pair whichever of the two comes first.
-    if ((filterReacts & 1) != 0 && !isModest)
+    if ((filterReacts & 1) != 0)
         ReactAsFilter(a, b);
-    if ((filterReacts & 2) != 0 && !(isModest ? ReactAsModestFilter(a, b) : ReactAsWildFilter(a, b)))
+    if ((filterReacts & 2) != 0 && !ReactAsWildFilter(a, b))
         return false;
     const uint32_t pair = (NumberOf(*a) + 1) * (NumberOf(*b) + 1);
     return (refused >> (pair % 8) & 1) == 0 && b2ContactFilter::ShouldCollide(a, b);
@@ -261,10 +261,7 @@ void World::React(b2Contact *contact, Occasion occasion) {
         return;
     const b2Fixture &a = *contact->GetFixtureA(), &b = *contact->GetFixtureB();
     const uint32_t mixed = Mix(a, b, occasion);
-    uint32_t number = reactions[mixed % kReactionsHeld];
-    while (isModest && number < kReactionCount && kReactions[number].manners == kImmodest &&
-           number != permitted)
-        ++number; // to one of those behind it that it may do
+    const uint32_t number = reactions[mixed % kReactionsHeld];
     const Reaction &reaction = kReactions[number < kReactionCount ? number : 0];
     // Not locked: a body, a fixture or the world is being taken apart.
     if (!m_world.IsLocked() && reaction.manners != kUnlocked)

@@ -28,8 +28,8 @@ struct Moment {
     Occasion occasion;
 };
 
-/// kModest: bmr::Options::modestListeners permits it; kUnlocked: it acts where a contact ends between steps.
-enum Manners { kModest, kImmodest, kUnlocked };
+/// kUnlocked: it acts also where a contact ends between steps.
+enum Manners { kLocked, kUnlocked };
 
 /// What a listener does, by its number. (Behind the last: nothing.)
 struct Reaction {
@@ -89,11 +89,6 @@ public:
     /// Throws, if that was asked for.
     void MayThrow(Occasion occasion);
 
-    /// Listeners and filters do what bmr::Options::modestListeners permits, and one thing more where
-    /// `permitted` is its number.
-    static inline bool isModest = false;
-    static inline uint32_t permitted = ~0u;
-
     static constexpr int kReactionsHeld = 8;
     uint8_t reactions[kReactionsHeld] = {}; ///< what listeners do
     uint8_t refused = 0;                    ///< which pairs the filter refuses
@@ -133,7 +128,6 @@ private:
     void React(b2Contact *contact, Occasion occasion);
     void ReactAsFilter(b2Fixture *a, b2Fixture *b);
     bool ReactAsWildFilter(b2Fixture *a, b2Fixture *b);
-    bool ReactAsModestFilter(b2Fixture *a, b2Fixture *b);
     void ChangeUnlocked(const Moment &moment, uint32_t mixed);
     void Tick();
     void Rescue();
