@@ -13,7 +13,7 @@ namespace bmr {
 
 /// A contact's number in the ledger, in the bits of its flags that Box2D does not use: bits 6 to 31 hold the
 /// number plus 1. Box2D's constructor writes the flags whole, so that a new contact has no number; everything
-/// else in Box2D sets and clears single flags (WhyBox2DIsUnknown refuses a Box2D that does otherwise).
+/// else in Box2D sets and clears single flags.
 struct ContactNumber : b2Contact {
     static constexpr uint32_t kShift = 6, kBox2DsFlags = (1u << kShift) - 1;
     /// So many contacts can have a number at a time.
