@@ -233,8 +233,6 @@ b2Contact *ImpactPass::Earliest(float *time) {
         if (contact != nullptr && marks.known.Has(first.number) && marks.Time(first.number) == first.time) {
             if (contact->IsEnabled()) {
                 *time = first.time;
-                if (Verifying())
-                    CompareWithList(contact);
                 return contact;
             }
             marks.parked.Set(first.number);
@@ -242,21 +240,6 @@ b2Contact *ImpactPass::Earliest(float *time) {
         marks.Pop();
     }
     return m_ledger == nullptr ? EarliestInList(time) : nullptr;
-}
-
-/// Mode::Verify: is it what Box2D would find in its list?
-void ImpactPass::CompareWithList(const b2Contact *earliest) {
-    CountVerified();
-    float time = 1.0f;
-    const b2Contact *first = nullptr;
-    for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext())
-        if (contact->IsEnabled() && m_marks.IsTimeKnown(contact) && m_marks.Time(contact) < time) {
-            first = contact;
-            time = m_marks.Time(contact);
-        }
-    if (first != earliest)
-        ReportDifference("earliest impact", earliest->GetFixtureA(), earliest->GetFixtureB(),
-                         "another contact is first in the list");
 }
 
 // Searches as Box2D makes them.
@@ -273,8 +256,6 @@ b2Contact *ImpactPass::EarliestInList(float *time) {
         for (uint32_t i = 0; i < m_stoppers.Count(); ++i)
             if (IsEarlier(m_stoppers[i], time))
                 earliest = m_stoppers[i];
-        if (earliest != nullptr && Verifying())
-            CompareWithList(earliest);
         return earliest;
     }
     m_stoppers.Begin();

@@ -45,7 +45,6 @@ private:
     void Ask(uint32_t i);
     void Queue(uint32_t i);
     b2Contact *Earliest(float *time);
-    void CompareWithList(const b2Contact *earliest);
 
     b2Contact *EarliestInList(float *time);
     bool IsEarlier(b2Contact *contact, float *time);

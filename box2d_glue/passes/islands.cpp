@@ -13,7 +13,6 @@
 #include "start/box2d_asserts.h"
 #include "start/current_step.h"
 #include "start/settings.h"
-#include "tell/verify.h"
 
 namespace bmr {
 
@@ -22,17 +21,6 @@ namespace {
 constexpr uint32_t kNoLink = 0x7fffffffu;
 // With more of them the links cost what they save.
 constexpr uint32_t kMostTouchingOf = 3;
-
-/// Mode::Verify: is every contact that touches known to?
-void CompareTouching(const Ledger &ledger) {
-    CountVerified();
-    for (uint32_t i = 0; i < ledger.Count(); ++i) {
-        const b2Contact *contact = ledger.Contact(i);
-        if (contact != nullptr && contact->IsTouching() && !ledger.Touches(i))
-            ReportDifference("touching contacts", contact->GetFixtureA(), contact->GetFixtureB(),
-                             "a contact is missing");
-    }
-}
 
 bool MayBeSeed(const b2Body *body) {
     return !BodyInIsland::Is(body) && body->IsAwake() && body->IsEnabled() &&
@@ -78,11 +66,8 @@ void IslandPass::Run() {
     b2Profile &profile = m_world->*Named(Profile());
     profile.solveInit = profile.solveVelocity = profile.solvePosition = 0.0f;
     ClearFlags();
-    if (m_ledger != nullptr) {
-        if (Verifying())
-            CompareTouching(*m_ledger);
+    if (m_ledger != nullptr)
         m_isLinked = m_mayLink && !m_ledger->MayHaveUnlisted() && Link();
-    }
     SolveIslands(&profile);
     const auto start = std::chrono::steady_clock::now();
     Synchronize();

@@ -36,11 +36,6 @@ inline TreeMembers MembersOf(const b2DynamicTree &tree) {
     return members;
 }
 
-/// A log that records nothing.
-struct NoLog {
-    void Before(int32, const b2TreeNode &) {}
-};
-
 /// A node on the way down, the perimeter of its box, and that of the box around it and the leaf.
 ///
 /// Box2D computes both twice: for a child, and again once it is there. Here they are computed once. They are
@@ -71,10 +66,10 @@ private:
     float m_here, m_inherited;
 };
 
-/// `log->Before(id, node)` is called before a node is written, however often.
-template <typename Log> class TreeEdit {
+/// What b2DynamicTree does to its nodes.
+class TreeEdit {
 public:
-    TreeEdit(const TreeMembers &tree, Log *log) : m_tree(tree), m_nodes(tree.nodes), m_log(log) {}
+    explicit TreeEdit(const TreeMembers &tree) : m_tree(tree), m_nodes(tree.nodes) {}
 
     /// Is this a leaf that is in the tree? Box2D asserts that it is one. (A node that is free has a height
     /// below 0.)
@@ -111,7 +106,7 @@ public:
     /// The rest of b2DynamicTree::MoveProxy of a leaf that is in the tree; `fat` is finite. Taking the leaf
     /// out frees the node that putting it in asks for.
     void Move(int32 leaf, const b2AABB &fat) {
-        b2TreeNode &node = Node(leaf);
+        b2TreeNode &node = m_nodes[leaf];
         node.aabb = fat;
         node.moved = true;
         if (leaf == *m_tree.root) {
@@ -131,15 +126,9 @@ private:
             Insert(leaf, FindSibling(box, Root(box)));
     }
 
-    /// A node that is going to be written.
-    b2TreeNode &Node(int32 id) {
-        m_log->Before(id, m_nodes[id]);
-        return m_nodes[id];
-    }
-
     int32 Allocate() {
         const int32 id = *m_tree.freeList;
-        b2TreeNode &node = Node(id);
+        b2TreeNode &node = m_nodes[id];
         *m_tree.freeList = node.next;
         node.parent = b2_nullNode;
         node.child1 = b2_nullNode;
@@ -152,7 +141,7 @@ private:
     }
 
     void Free(int32 id) {
-        b2TreeNode &node = Node(id);
+        b2TreeNode &node = m_nodes[id];
         node.next = *m_tree.freeList;
         node.height = -1;
         *m_tree.freeList = id;
@@ -165,7 +154,7 @@ private:
             *m_tree.root = now;
             return;
         }
-        b2TreeNode &node = Node(parent);
+        b2TreeNode &node = m_nodes[parent];
         (node.child1 == before ? node.child1 : node.child2) = now;
     }
 
@@ -199,7 +188,7 @@ private:
     void InsertRoot(int32 leaf) {
         ++*m_tree.insertionCount;
         *m_tree.root = leaf;
-        Node(leaf).parent = b2_nullNode;
+        m_nodes[leaf].parent = b2_nullNode;
     }
 
     void Insert(int32 leaf, int32 sibling) {
@@ -211,8 +200,8 @@ private:
         node.child1 = sibling;
         node.child2 = leaf; // its box comes with Refit
         Replace(above, sibling, parent);
-        Node(sibling).parent = parent;
-        Node(leaf).parent = parent;
+        m_nodes[sibling].parent = parent;
+        m_nodes[leaf].parent = parent;
         Refit(parent);
     }
 
@@ -222,7 +211,7 @@ private:
         const int32 sibling =
             m_nodes[parent].child1 == leaf ? m_nodes[parent].child2 : m_nodes[parent].child1;
         Replace(above, parent, sibling);
-        Node(sibling).parent = above;
+        m_nodes[sibling].parent = above;
         Free(parent);
         return above;
     }
@@ -230,7 +219,7 @@ private:
     /// From here up to the root, nodes are balanced and given the boxes and heights that their children say.
     void Refit(int32 id) {
         while (id != b2_nullNode) {
-            b2TreeNode *node = &Node(id);
+            b2TreeNode *node = &m_nodes[id];
             const int32 balance = m_nodes[node->child2].height - m_nodes[node->child1].height;
             if ((balance > 1 || balance < -1) && node->height >= 2) {
                 id = balance > 1 ? RaiseSecond(id) : RaiseFirst(id);
@@ -247,7 +236,7 @@ private:
     int32 RaiseSecond(int32 idA) {
         b2TreeNode &a = m_nodes[idA];
         const int32 idC = a.child2;
-        b2TreeNode &c = Node(idC);
+        b2TreeNode &c = m_nodes[idC];
         int32 stays = c.child1, goes = c.child2;
         Raise(idA, idC, &stays, &goes);
         a.child2 = goes;
@@ -259,7 +248,7 @@ private:
     int32 RaiseFirst(int32 idA) {
         b2TreeNode &a = m_nodes[idA];
         const int32 idB = a.child1;
-        b2TreeNode &b = Node(idB);
+        b2TreeNode &b = m_nodes[idB];
         int32 stays = b.child1, goes = b.child2;
         Raise(idA, idB, &stays, &goes);
         a.child1 = goes;
@@ -277,7 +266,7 @@ private:
         higher.child2 = *stays;
         node.parent = raised;
         Replace(higher.parent, id, raised);
-        Node(*goes).parent = id;
+        m_nodes[*goes].parent = id;
     }
 
     static void Combine(b2TreeNode *node, const b2TreeNode &first, const b2TreeNode &second) {
@@ -287,7 +276,6 @@ private:
 
     TreeMembers m_tree;
     b2TreeNode *m_nodes;
-    Log *m_log;
 };
 
 } // namespace bmr::tree

@@ -16,7 +16,6 @@
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
-#include "tell/verify.h"
 #include "tree/box.h"
 
 namespace bmr::tree {
@@ -126,29 +125,9 @@ bool IsFinite(const Swept &swept) {
     return HasNumbers(sub4(swept.around, swept.around)) && HasNumbers(swept.displacement);
 }
 
-bool SameBits(Box a, Box b) {
-    float first[4], second[4];
-    store4(first, a);
-    store4(second, b);
-    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits, of what is no number, too
-    return std::memcmp(first, second, sizeof first) == 0;
-}
-
-void CompareWithBox2D(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                      const b2Transform &xf2, const b2FixtureProxy &proxy, Box ours,
-                      Box2DsSynchronize *box2d) {
-    const Box leaf = BoxOf(broadPhase->GetFatAABB(proxy.proxyId));
-    box2d(fixture, broadPhase, xf1, xf2);
-    CountVerified();
-    if (!SameBits(BoxOf(proxy.aabb), ours))
-        ReportDifference("fixture boxes", fixture, nullptr, "another box");
-    if (Stays(leaf, ours) && !SameBits(leaf, BoxOf(broadPhase->GetFatAABB(proxy.proxyId))))
-        ReportDifference("fixture boxes", fixture, nullptr, "the leaf moves");
-}
-
 /// False where the fixture is Box2D's to do.
 bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                     const b2Transform &xf2, Box2DsSynchronize *box2d) {
+                     const b2Transform &xf2) {
     const b2Shape &shape = *fixture->GetShape();
     const Corners corners = CornersOf(shape);
     b2FixtureProxy *proxy = ProxyAccess::OnlyProxyOf(fixture);
@@ -159,10 +138,6 @@ bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Trans
     // Numbers that are none go through MoveProxy's comparisons, and keep their bits.
     if (!IsFinite(swept))
         return false;
-    if (Verifying()) {
-        CompareWithBox2D(fixture, broadPhase, xf1, xf2, *proxy, swept.around, box2d);
-        return true;
-    }
     store4(&proxy->aabb.lowerBound.x, swept.around);
     if (!Stays(BoxOf(broadPhase->GetFatAABB(proxy->proxyId)), swept.around)) {
         b2Vec2 displacement;
@@ -174,8 +149,7 @@ bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Trans
 
 #else
 
-bool SynchronizeHere(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2Transform &,
-                     Box2DsSynchronize *) {
+bool SynchronizeHere(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2Transform &) {
     return false;
 }
 
@@ -185,7 +159,7 @@ bool SynchronizeHere(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2T
 
 void SynchronizeBoxes(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
                       const b2Transform &xf2, Box2DsSynchronize *box2d) {
-    if (!SynchronizeHere(fixture, broadPhase, xf1, xf2, box2d))
+    if (!SynchronizeHere(fixture, broadPhase, xf1, xf2))
         box2d(fixture, broadPhase, xf1, xf2);
 }
 

@@ -3,18 +3,15 @@
 #define BOOMERANG_TREE_PROXIES_H
 
 #include <cmath>
-#include <new>
 
-#include "start/settings.h"
-#include "tell/verify.h"
-#include "tree/log.h"
+#include "base/compiler.h"
+#include "tree/edit.h"
 
 /// @file
 /// b2DynamicTree::CreateProxy, DestroyProxy and MoveProxy: the same tree by the same arithmetic, with boxes
 /// in registers and without a call for each node that is balanced. `box2d()` is Box2D's own function, which
 /// is asked for ids that are none of a leaf in the tree, on which it asserts; for boxes that are not finite;
-/// and where Box2D's array of nodes must grow. Rounding is to nearest, as Box2D's. In Mode::Verify Box2D does
-/// it again, and the two trees are compared.
+/// and where Box2D's array of nodes must grow. Rounding is to nearest, as Box2D's.
 
 namespace bmr::tree {
 
@@ -52,9 +49,8 @@ inline bool Stays(const b2AABB &leaf, const b2AABB &aabb, const b2AABB &fat) {
 
 // Each of these says whether it did it. Where it did not, nothing was written.
 
-template <typename Log>
-bool CreateHere(const b2DynamicTree &tree, const b2AABB &aabb, void *userData, Log *log, int32 *id) {
-    TreeEdit<Log> edit(MembersOf(tree), log);
+inline bool CreateHere(const b2DynamicTree &tree, const b2AABB &aabb, void *userData, int32 *id) {
+    TreeEdit edit(MembersOf(tree));
     const b2AABB fat = Fat(aabb);
     if (!IsFinite(fat) || !edit.HasRoom())
         return false;
@@ -62,85 +58,48 @@ bool CreateHere(const b2DynamicTree &tree, const b2AABB &aabb, void *userData, L
     return true;
 }
 
-template <typename Log> bool DestroyHere(const b2DynamicTree &tree, int32 id, Log *log) {
-    TreeEdit<Log> edit(MembersOf(tree), log);
+inline bool DestroyHere(const b2DynamicTree &tree, int32 id) {
+    TreeEdit edit(MembersOf(tree));
     if (!edit.HasLeaf(id))
         return false;
     edit.Destroy(id);
     return true;
 }
 
-template <typename Log>
-BMR_NOINLINE void MoveLeaf(const b2DynamicTree &tree, int32 id, const b2AABB &fat, Log *log) {
-    TreeEdit<Log>(MembersOf(tree), log).Move(id, fat);
+BMR_NOINLINE inline void MoveLeaf(const b2DynamicTree &tree, int32 id, const b2AABB &fat) {
+    TreeEdit(MembersOf(tree)).Move(id, fat);
 }
 
-template <typename Log>
-bool MoveHere(const b2DynamicTree &tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement, Log *log,
-              bool *moved) {
+inline bool MoveHere(const b2DynamicTree &tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement,
+                     bool *moved) {
     const TreeMembers members = MembersOf(tree);
     b2AABB fat = Fat(aabb);
     Foretell(displacement.x, &fat.lowerBound.x, &fat.upperBound.x);
     Foretell(displacement.y, &fat.lowerBound.y, &fat.upperBound.y);
-    if (!IsFinite(fat) || !TreeEdit<Log>(members, log).HasLeaf(id))
+    if (!IsFinite(fat) || !TreeEdit(members).HasLeaf(id))
         return false;
     *moved = !Stays(members.nodes[id].aabb, aabb, fat);
     if (*moved) // most stay, and need no edit
-        MoveLeaf(tree, id, fat, log);
+        MoveLeaf(tree, id, fat);
     return true;
-}
-
-/// Does what `ours(log, result)` does, undoes it and has Box2D do it. The comparison is left out where there
-/// is no memory for it.
-template <typename Ours, typename Box2D>
-BMR_NOINLINE auto Compare(const b2DynamicTree &tree, const Ours &ours, const Box2D &box2d) {
-    TreeLog log(tree);
-    bool done = false;
-    decltype(box2d()) result = {};
-    try {
-        done = ours(&log, &result);
-        log.Keep();
-    } catch (const std::bad_alloc &) {
-        done = false;
-    }
-    log.Undo();
-    const auto expected = box2d();
-    if (done) {
-        CountVerified();
-        const int32 node = log.Difference();
-        if (node != TreeLog::kNone || result != expected)
-            ReportDifference("tree updates", nullptr, nullptr, "node %d is another", node);
-    }
-    return expected;
-}
-
-template <typename Ours, typename Box2D>
-auto DoHere(const b2DynamicTree &tree, const Ours &ours, const Box2D &box2d) {
-    if (Verifying())
-        return Compare(tree, ours, box2d);
-    NoLog log;
-    decltype(box2d()) result;
-    return ours(&log, &result) ? result : box2d();
 }
 
 template <typename Box2D>
 int32 CreateProxy(const b2DynamicTree &tree, const b2AABB &aabb, void *userData, const Box2D &box2d) {
-    return DoHere(
-        tree, [&](auto *log, int32 *id) { return CreateHere(tree, aabb, userData, log, id); }, box2d);
+    int32 id;
+    return CreateHere(tree, aabb, userData, &id) ? id : box2d();
 }
 
-/// `box2d()` returns true.
 template <typename Box2D> void DestroyProxy(const b2DynamicTree &tree, int32 id, const Box2D &box2d) {
-    DoHere(
-        tree, [&](auto *log, bool *done) { return *done = DestroyHere(tree, id, log); }, box2d);
+    if (!DestroyHere(tree, id))
+        box2d();
 }
 
 template <typename Box2D>
 bool MoveProxy(const b2DynamicTree &tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement,
                const Box2D &box2d) {
-    return DoHere(
-        tree, [&](auto *log, bool *moved) { return MoveHere(tree, id, aabb, displacement, log, moved); },
-        box2d);
+    bool moved;
+    return MoveHere(tree, id, aabb, displacement, &moved) ? moved : box2d();
 }
 
 } // namespace bmr::tree

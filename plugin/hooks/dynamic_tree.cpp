@@ -36,10 +36,7 @@ int32 b2DynamicTree::CreateProxy(const b2AABB &aabb, void *userData) {
 }
 
 void b2DynamicTree::DestroyProxy(int32 id) {
-    const auto box2d = [&] {
-        stock::DestroyProxy(this, id);
-        return true;
-    };
+    const auto box2d = [&] { stock::DestroyProxy(this, id); };
     if (IsOurs())
         tree::DestroyProxy(*this, id, box2d);
     else
