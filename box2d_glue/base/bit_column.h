@@ -11,14 +11,12 @@ namespace bmr {
 /// A column of bits.
 class BitColumn {
 public:
-    /// Room for rows of numbers below this. False without memory, and nothing has changed.
-    bool Reserve(uint32_t count) {
+    /// Room for rows of numbers below this.
+    void Reserve(uint32_t count) {
         const uint32_t words = count / 64 + 1;
-        if (!m_bits.Reserve(words))
-            return false;
+        m_bits.Reserve(words);
         for (; m_words < words; ++m_words)
             m_bits[m_words] = 0;
-        return true;
     }
     bool Has(uint32_t i) const { return (m_bits[i / 64] >> (i % 64) & 1) != 0; }
     void Set(uint32_t i) { m_bits[i / 64] |= uint64_t{1} << (i % 64); }

@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/memory.h"
+
 namespace bmr {
 
 /// One column of a table: plain data in one piece of memory that grows, and never throws.
@@ -21,17 +23,15 @@ public:
     Column(const Column &) = delete;
     Column &operator=(const Column &) = delete;
 
-    /// Room for so many in all; what is there stays. False without memory, and nothing has changed.
-    bool Reserve(uint32_t capacity) {
+    /// Room for so many in all; what is there stays.
+    void Reserve(uint32_t capacity) {
         if (capacity <= m_capacity)
-            return true;
+            return;
         // Four fifths of what is written stays in use at the worst, on the average of growing.
         const uint64_t wanted = uint64_t{m_capacity} + m_capacity / 4 + 16;
         const uint64_t most = wanted > capacity ? wanted : capacity;
-        if (!Grow(most * sizeof(T))) // NOLINT(bugprone-sizeof-expression): of pointers, too
-            return false;
+        Grow(most * sizeof(T)); // NOLINT(bugprone-sizeof-expression): of pointers, too
         m_capacity = static_cast<uint32_t>(most);
-        return true;
     }
     /// Gives the memory back.
     void Clear() {
@@ -52,13 +52,10 @@ public:
     const T &operator[](uint32_t i) const { return m_data[i]; }
 
 private:
-    /// By realloc, which for big blocks moves pages and no bytes.
-    bool Grow(uint64_t bytes) {
+    void Grow(uint64_t bytes) {
         constexpr std::size_t kAlign = alignof(T) <= alignof(std::max_align_t) ? 0 : alignof(T);
         const std::ptrdiff_t before = m_block == nullptr ? 0 : AsBytes(m_data) - AsBytes(m_block);
-        void *const block = std::realloc(m_block, bytes + kAlign);
-        if (block == nullptr)
-            return false;
+        void *const block = TakeMemory(m_block, bytes + kAlign);
         std::size_t past = 0;
         if constexpr (kAlign != 0)
             past = kAlign - reinterpret_cast<uintptr_t>(block) % kAlign;
@@ -67,7 +64,6 @@ private:
             std::memmove(AsBytes(block) + past, AsBytes(block) + before, m_capacity * kSize);
         m_block = block;
         m_data = static_cast<T *>(static_cast<void *>(AsBytes(block) + past));
-        return true;
     }
     static char *AsBytes(void *memory) { return static_cast<char *>(memory); }
 

@@ -20,9 +20,10 @@ public:
     template <typename KeyOf> uint32_t Find(uint64_t key, const KeyOf &keyOf) const {
         return m_size == 0 ? kNone : m_rows[Place(key, keyOf)] - 1; // an empty place is 0
     }
-    /// Room for one row more. False without memory.
-    template <typename KeyOf> bool MakeRoom(const KeyOf &keyOf) {
-        return 2 * (m_count + 1) <= m_size || Grow(keyOf);
+    /// Room for one row more.
+    template <typename KeyOf> void MakeRoom(const KeyOf &keyOf) {
+        if (2 * (m_count + 1) > m_size)
+            Grow(keyOf);
     }
     /// A row of a new key, for which there is room.
     template <typename KeyOf> void Add(uint32_t row, const KeyOf &keyOf) {
@@ -65,11 +66,10 @@ private:
             at = After(at);
         return at;
     }
-    template <typename KeyOf> bool Grow(const KeyOf &keyOf) {
+    template <typename KeyOf> void Grow(const KeyOf &keyOf) {
         const uint32_t old = m_size, size = old == 0 ? 64 : 2 * old;
         Column<uint32_t> rows;
-        if (!rows.Reserve(size))
-            return false;
+        rows.Reserve(size);
         for (uint32_t at = 0; at < size; ++at)
             rows[at] = 0;
         m_rows.Swap(&rows);
@@ -77,7 +77,6 @@ private:
         for (uint32_t at = 0; at < old; ++at)
             if (rows[at] != 0)
                 m_rows[Place(keyOf(rows[at] - 1), keyOf)] = rows[at];
-        return true;
     }
 
     Column<uint32_t> m_rows; ///< number + 1; 0: free

@@ -3,12 +3,15 @@
 #define BOOMERANG_GLUE_PER_THREAD_H
 
 #include <cstdlib>
+#include <cstring>
 #include <new>
 #include <type_traits>
 
+#include "base/memory.h"
+
 namespace bmr {
 
-/// This thread's own T, freed with the thread; nullptr without memory, and from then on when the thread's
+/// This thread's own T, freed with the thread; nullptr from then on when the thread's
 /// objects have begun to die: what dies later (a static object's destructor, a thread_local of the game's)
 /// may still step a world. One load after the first use: the pointer needs no check of an initialiser. (T
 /// itself is on the heap: large thread-local objects would eat the small stacks that some programs give their
@@ -28,19 +31,20 @@ template <typename T> T *PerThread() {
             T *const dying = mine;
             mine = nullptr;
             ended = true;
-            if constexpr (kPlain)
-                std::free(dying);
-            else
-                delete dying;
+            if (dying == nullptr)
+                return;
+            if constexpr (!kPlain)
+                dying->~T();
+            std::free(dying);
         }
         // (A thread_local is made, and its destructor noted, where it is first used.)
         void Take(T *made) const { mine = made; }
     };
     static thread_local Owner owner;
     if constexpr (kPlain)
-        owner.Take(static_cast<T *>(std::calloc(1, sizeof(T))));
+        owner.Take(static_cast<T *>(std::memset(TakeMemory(nullptr, sizeof(T)), 0, sizeof(T))));
     else
-        owner.Take(new (std::nothrow) T());
+        owner.Take(new (TakeMemory(nullptr, sizeof(T))) T());
     return mine;
 }
 

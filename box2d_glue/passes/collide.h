@@ -15,7 +15,7 @@ namespace bmr {
 /// code, for the contacts that it has passed, and at its end if code of the game ran. (If none does,
 /// b2World::SolveTOI alone asks: OwedEnabling.)
 ///
-/// A world of few contacts, or whose ledger has no memory or does not pay, is stepped by Box2D's list.
+/// A world of few contacts, or whose ledger does not pay, is stepped by Box2D's list.
 void Collide(b2ContactManager *manager);
 
 } // namespace bmr

@@ -245,9 +245,10 @@ void Read(const b2Contact &contact, VelocityConstraint *velocity, PositionConstr
 
 } // namespace
 
-bool ContactSolver::Reserve(uint32_t bodies, uint32_t contacts) {
-    return m_rotations.Reserve(bodies) && m_velocityConstraints.Reserve(contacts) &&
-           m_positionConstraints.Reserve(contacts);
+void ContactSolver::Reserve(uint32_t bodies, uint32_t contacts) {
+    m_rotations.Reserve(bodies);
+    m_velocityConstraints.Reserve(contacts);
+    m_positionConstraints.Reserve(contacts);
 }
 
 void ContactSolver::Begin(const b2TimeStep &step, b2Contact *const *contacts, const b2SolverData &bodies) {

@@ -73,8 +73,8 @@ public:
     /// An island is solved once no point is deeper.
     static constexpr float kLeastSeparation = -3.0f * b2_linearSlop;
 
-    /// Room for so many. False without memory, and nothing has changed.
-    bool Reserve(uint32_t bodies, uint32_t contacts);
+    /// Room for so many.
+    void Reserve(uint32_t bodies, uint32_t contacts);
 
     /// `contacts` and the arrays of bodies stay until all is solved.
     void Begin(const b2TimeStep &step, b2Contact *const *contacts, const b2SolverData &bodies);

@@ -240,8 +240,6 @@ void ImpactPass::ReadWhatGameDid() {
                 marks.asked.Set(i);
             else
                 Queue(i);
-            if (m_ledger == nullptr)
-                return;
         }
 }
 

@@ -144,8 +144,6 @@ void ImpactPass::SearchByLedger(bool all) {
             if (!m_ledger->LookForImpact(i))
                 continue;
             SearchPair(i);
-            if (m_ledger == nullptr) // there is no memory for the heap
-                return;
         }
     }
 }
@@ -200,8 +198,6 @@ void ImpactPass::AskAgain() {
             marks.asked.Clear(i);
             if (i < m_ledger->Count() && m_ledger->Contact(i) != nullptr && !marks.known.Has(i))
                 Ask(i);
-            if (m_ledger == nullptr)
-                return;
         }
 }
 
@@ -216,17 +212,17 @@ void ImpactPass::Ask(uint32_t i) {
     }
 }
 
-/// A pair whose time is known. Without memory the world's list is searched from here on.
+/// A pair whose time is known.
 void ImpactPass::Queue(uint32_t i) {
     Marks &marks = m_ledger->GetMarks();
     const float time = marks.Time(i);
-    if (time < 1.0f && !marks.Push(i, time))
-        m_ledger = nullptr;
+    if (time < 1.0f)
+        marks.Push(i, time);
 }
 
 b2Contact *ImpactPass::Earliest(float *time) {
     AskAgain();
-    while (m_ledger != nullptr && m_ledger->GetMarks().heapCount > 0) {
+    while (m_ledger->GetMarks().heapCount > 0) {
         Marks &marks = m_ledger->GetMarks();
         const Marks::Impact first = marks.heap[0];
         b2Contact *const contact = m_ledger->Contact(first.number);
@@ -239,7 +235,7 @@ b2Contact *ImpactPass::Earliest(float *time) {
         }
         marks.Pop();
     }
-    return m_ledger == nullptr ? EarliestInList(time) : nullptr;
+    return nullptr;
 }
 
 // Searches as Box2D makes them.

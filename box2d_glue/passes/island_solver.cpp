@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <new>
 
 #include <box2d/b2_body.h>
@@ -11,6 +12,7 @@
 #include <box2d/b2_joint.h>
 #include <box2d/b2_world_callbacks.h>
 
+#include "base/memory.h"
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
 
@@ -70,14 +72,20 @@ bool StaysAsItIs(const b2Body &body) {
 
 } // namespace
 
-bool IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) {
+void IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) {
     const uint32_t waiting = 2 * bodies; // one island, and those that wait: no more than m_mostBodies
     m_mostBodies = bodies;
-    return m_room.stack.Reserve(bodies) && m_bodies.Reserve(waiting) && m_contacts.Reserve(contacts) &&
-           m_joints.Reserve(joints) && m_positions.Reserve(waiting) && m_velocities.Reserve(waiting) &&
-           m_islands.Reserve(bodies + 1) && m_solver.Reserve(waiting, contacts) &&
-           m_jointSolver.Reserve(joints) && m_orderedVelocities.Reserve(waiting, contacts + joints) &&
-           m_orderedPositions.Reserve(waiting, contacts);
+    m_room.stack.Reserve(bodies);
+    m_bodies.Reserve(waiting);
+    m_contacts.Reserve(contacts);
+    m_joints.Reserve(joints);
+    m_positions.Reserve(waiting);
+    m_velocities.Reserve(waiting);
+    m_islands.Reserve(bodies + 1);
+    m_solver.Reserve(waiting, contacts);
+    m_jointSolver.Reserve(joints);
+    m_orderedVelocities.Reserve(waiting, contacts + joints);
+    m_orderedPositions.Reserve(waiting, contacts);
 }
 
 void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener, bool mayWait) {
@@ -330,7 +338,8 @@ void IslandSolver::Sleep(const Island &island) {
 IslandSolvers::~IslandSolvers() {
     while (m_first != nullptr) {
         IslandSolver *const next = m_first->m_next;
-        delete m_first;
+        m_first->~IslandSolver();
+        std::free(m_first);
         m_first = next;
     }
 }
@@ -340,9 +349,8 @@ IslandSolver *IslandSolvers::Take() {
     while (*place != nullptr && (*place)->m_isTaken)
         place = &(*place)->m_next;
     if (*place == nullptr)
-        *place = new (std::nothrow) IslandSolver;
-    if (*place != nullptr)
-        (*place)->m_isTaken = true;
+        *place = new (TakeMemory(nullptr, sizeof(IslandSolver))) IslandSolver;
+    (*place)->m_isTaken = true;
     return *place;
 }
 

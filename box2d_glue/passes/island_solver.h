@@ -45,8 +45,8 @@ struct IslandRoom {
 ///     Finish(profile)
 class IslandSolver {
 public:
-    /// Room for islands of so many. False without memory: nothing has changed, and the pass is Box2D's.
-    bool Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
+    /// Room for islands of so many.
+    void Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
 
     /// Begins a pass. `listener` gets PostSolve, unless it is nullptr. `mayWait`: islands may be solved
     /// together with others, and PostSolve called behind them.
@@ -130,7 +130,7 @@ public:
     IslandSolvers(const IslandSolvers &) = delete;
     IslandSolvers &operator=(const IslandSolvers &) = delete;
 
-    /// One that no other pass has, empty. nullptr without memory.
+    /// One that no other pass has, empty.
     IslandSolver *Take();
     static void GiveBack(IslandSolver *solver) { solver->m_isTaken = false; }
 

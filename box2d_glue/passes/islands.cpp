@@ -116,7 +116,7 @@ void IslandPass::ClearFlags() {
 
 // Links.
 
-/// False where it does not pay, or without memory: islands are built from the lists of bodies.
+/// False where it does not pay: islands are built from the lists of bodies.
 bool IslandPass::Link() {
     const uint32_t most = m_ledger->Count() / kMostTouchingOf;
     Column<uint32_t> &touching = m_room.touching;
@@ -126,13 +126,13 @@ bool IslandPass::Link() {
         if (!GameRan()) // or the game may have woken who is not watched
             left &= m_ledger->WatchedOf(word);
         const uint32_t more = CountBits(left);
-        if (count + more > most || !touching.Reserve(count + more))
+        if (count + more > most)
             return false;
+        touching.Reserve(count + more);
         for (; left != 0; left &= ~(uint64_t{1} << HighestBit(left)))
             touching[count++] = word * 64 + HighestBit(left);
     }
-    if (!m_room.links.Reserve(2 * count + 1))
-        return false;
+    m_room.links.Reserve(2 * count + 1);
     while (count-- > 0) { // from the oldest on, each at the head of its lists, as when they were made
         b2Contact *const contact = m_ledger->Contact(touching[count]);
         b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
@@ -183,8 +183,7 @@ void IslandPass::Push(b2Body *body) {
 void IslandPass::Take(b2Body *body) {
     BMR_BOX2D_ASSERTS(body->IsEnabled(), "b->IsEnabled() == true");
     const int32 first = LinkOf(body);
-    if (!HasRoom())
-        return;
+    MakeRoom();
     m_solver->Add(body);
     if (body->GetType() == b2_staticBody)
         return;
@@ -212,8 +211,9 @@ void IslandPass::WakeInIsland(b2Body *body) {
 
 void IslandPass::Take(b2Contact *contact, b2Body *other) {
     if (m_marks.IsInIsland(contact) || !contact->IsEnabled() || !contact->IsTouching() ||
-        contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor() || !HasRoom())
+        contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor())
         return;
+    MakeRoom();
     m_solver->Add(contact);
     m_marks.PutInIsland(contact);
     if (!BodyInIsland::Is(other))
@@ -222,8 +222,9 @@ void IslandPass::Take(b2Contact *contact, b2Body *other) {
 
 void IslandPass::TakeJoints(const b2Body *body) {
     for (const b2JointEdge *edge = body->GetJointList(); edge != nullptr; edge = edge->next) {
-        if (edge->joint->*Named(JointInIsland()) || !edge->other->IsEnabled() || !HasRoom())
+        if (edge->joint->*Named(JointInIsland()) || !edge->other->IsEnabled())
             continue;
+        MakeRoom();
         m_solver->Add(edge->joint);
         edge->joint->*Named(JointInIsland()) = true;
         if (!BodyInIsland::Is(edge->other))
@@ -232,10 +233,10 @@ void IslandPass::TakeJoints(const b2Body *body) {
 }
 
 /// Code of the game may have unlocked the world by a step inside this one, and have made more since.
-bool IslandPass::HasRoom() {
-    return !m_gameStepped ||
-           m_solver->Reserve(m_solver->BodyCount() + m_stackCount + 2, m_solver->ContactCount() + 1,
-                             static_cast<uint32_t>(m_world->GetJointCount()));
+void IslandPass::MakeRoom() {
+    if (m_gameStepped)
+        m_solver->Reserve(m_solver->BodyCount() + m_stackCount + 2, m_solver->ContactCount() + 1,
+                          static_cast<uint32_t>(m_world->GetJointCount()));
 }
 
 void IslandPass::SolveIsland() {

@@ -38,7 +38,7 @@ private:
     void WakeInIsland(b2Body *body);
     void TakeJoints(const b2Body *body);
     void Push(b2Body *body);
-    bool HasRoom();
+    void MakeRoom();
     void SolveIsland();
     void AfterGame();
     void Synchronize();

@@ -18,8 +18,8 @@ class JointSolver {
 public:
     static constexpr uint32_t kMostBytes = 256; ///< of a joint, behind what all types have
 
-    /// Room for so many. False without memory, and nothing has changed.
-    bool Reserve(uint32_t joints) { return m_before.Reserve(kMostBytes * joints); }
+    /// Room for so many.
+    void Reserve(uint32_t joints) { m_before.Reserve(kMostBytes * joints); }
 
     /// `joints` and the arrays of bodies stay until all is solved.
     void Begin(b2Joint *const *joints, const b2SolverData &data) {

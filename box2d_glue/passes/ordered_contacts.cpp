@@ -11,10 +11,12 @@ bool CarriesNoOrder(float invMass, float invI, const float *at) {
            !isNegativeZero(at[2]);
 }
 
-bool OrderedContacts::Reserve(uint32_t bodies, uint32_t contacts) {
+void OrderedContacts::Reserve(uint32_t bodies, uint32_t contacts) {
     const uint32_t all = kOverlapping * contacts;
-    return m_places.Reserve(contacts) && m_groups.Reserve(all) && m_levels.Reserve(all + 1) &&
-           m_last.Reserve(bodies + 2);
+    m_places.Reserve(contacts);
+    m_groups.Reserve(all);
+    m_levels.Reserve(all + 1);
+    m_last.Reserve(bodies + 2);
 }
 
 bool OrderedContacts::Find(uint32_t bodies, uint32_t iterations) {

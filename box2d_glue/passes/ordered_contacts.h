@@ -37,7 +37,7 @@ public:
         uint32_t Contact(uint32_t lane, uint32_t count) const { return contacts[lane < count ? lane : 0]; }
     };
 
-    bool Reserve(uint32_t bodies, uint32_t contacts);
+    void Reserve(uint32_t bodies, uint32_t contacts);
     void Begin() {
         m_count = 0;
         m_isKnown = true;

@@ -20,8 +20,10 @@ namespace bmr {
 /// back, and Box2D's order solves it.
 class OrderedPositions {
 public:
-    bool Reserve(uint32_t bodies, uint32_t contacts) {
-        return m_order.Reserve(bodies, contacts) && m_unsolved.Reserve(contacts) && m_before.Reserve(bodies);
+    void Reserve(uint32_t bodies, uint32_t contacts) {
+        m_order.Reserve(bodies, contacts);
+        m_unsolved.Reserve(contacts);
+        m_before.Reserve(bodies);
     }
     /// Says which of the islands are done. The others are as they were: they need Box2D's own order, or are
     /// as fast in it.

@@ -13,7 +13,7 @@ namespace bmr {
 /// The velocity iterations, with Box2D's bits: in an order of their own, four contacts at once.
 class OrderedVelocities {
 public:
-    bool Reserve(uint32_t bodies, uint32_t contacts) { return m_order.Reserve(bodies, contacts); }
+    void Reserve(uint32_t bodies, uint32_t contacts) { m_order.Reserve(bodies, contacts); }
 
     /// False where Box2D's own order is needed, or as fast.
     bool Order(const VelocityConstraint *constraints, const JointSolver &joints, const Island &island,

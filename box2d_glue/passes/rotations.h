@@ -16,7 +16,7 @@ namespace bmr {
 /// bits. (A contact that is not corrected does not turn its bodies, and statics never turn.)
 class Rotations {
 public:
-    bool Reserve(uint32_t bodies) { return m_known.Reserve(bodies); }
+    void Reserve(uint32_t bodies) { m_known.Reserve(bodies); }
     void Begin(const b2Position *positions, uint32_t first, uint32_t end) {
         for (uint32_t i = first; i < end; ++i)
             Compute(positions[i].a, &m_known[i]);

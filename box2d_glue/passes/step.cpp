@@ -40,17 +40,15 @@ private:
     Clock::time_point m_last = m_first;
 };
 
-/// A solver for one pass. There is none if rounding is not to nearest, or if there is no memory. Then the
-/// pass is Box2D's.
+/// A solver for one pass. There is none if rounding is not to nearest, or if the thread's objects are gone. Then
+/// the pass is Box2D's.
 class TakenSolver {
 public:
     TakenSolver(uint32_t bodies, uint32_t contacts, uint32_t joints) {
         IslandSolvers *const solvers = RoundsToNearest() ? PerThread<IslandSolvers>() : nullptr;
         m_solver = solvers != nullptr ? solvers->Take() : nullptr;
-        if (m_solver == nullptr || m_solver->Reserve(bodies, contacts, joints))
-            return;
-        IslandSolvers::GiveBack(m_solver);
-        m_solver = nullptr;
+        if (m_solver != nullptr)
+            m_solver->Reserve(bodies, contacts, joints);
     }
     ~TakenSolver() {
         if (m_solver != nullptr)

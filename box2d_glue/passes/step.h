@@ -18,7 +18,7 @@ bool StepIsOurs();
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations);
 
 /// b2World::Solve and SolveTOI. False, and nothing done, if the pass is Box2D's: the thread does not round to
-/// nearest, or there is no memory.
+/// nearest.
 bool Solve(b2World *world, const b2TimeStep &step);
 bool SolveTOI(b2World *world, const b2TimeStep &step);
 

@@ -21,7 +21,8 @@ bool Stoppers::AreKnown() const {
 
 void Stoppers::Begin() {
     const b2ContactManager &manager = m_world->GetContactManager();
-    m_known = m_room->Reserve(static_cast<uint32_t>(manager.m_contactCount));
+    m_known = true;
+    m_room->Reserve(static_cast<uint32_t>(manager.m_contactCount));
     m_hasDigest = false;
     m_count = 0;
     m_contactCount = manager.m_contactCount;

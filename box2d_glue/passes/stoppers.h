@@ -28,7 +28,7 @@ public:
     uint32_t Count() const { return m_count; }
     b2Contact *operator[](uint32_t i) const { return (*m_room)[i]; }
 
-    /// A search of the list begins. Without memory they stay unknown.
+    /// A search of the list begins.
     void Begin();
     void Add(b2Contact *contact) {
         if (m_known)

@@ -15,7 +15,7 @@ namespace bmr {
 /// one that lies where it lay in an earlier scan is not placed again.
 class ImpactScan {
 public:
-    /// Begins a scan in this thread's memory, and forgets the one before. nullptr without memory, and while
+    /// Begins a scan in this thread's memory, and forgets the one before. nullptr while
     /// the thread ends. Good until the thread begins the next one.
     static ImpactScan *Begin();
 

@@ -27,8 +27,7 @@ bool Bodies::Follow(b2Body *newest, int32 count) {
         m_count = 0;
     if (m_count == wanted && m_bodies[m_count - 1] == newest)
         return true;
-    if (!m_bodies.Reserve(wanted))
-        return false;
+    m_bodies.Reserve(wanted);
     // From the newest back to the last one that is known.
     const b2Body *known = m_count > 0 && m_count < wanted ? m_bodies[m_count - 1] : nullptr;
     b2Body *body = newest;
@@ -49,8 +48,7 @@ bool Bodies::FindAwake() {
     constexpr uint32_t kAhead = 8;
     m_awakeCount = 0;
     const uint32_t most = m_count / kMostAwakeOf;
-    if (!m_awake.Reserve(most + 1))
-        return false;
+    m_awake.Reserve(most + 1);
     for (uint32_t i = m_count; i-- > 0;) {
         if (i >= kAhead)
             BMR_PREFETCH(m_bodies[i - kAhead]);

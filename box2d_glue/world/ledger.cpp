@@ -14,11 +14,18 @@ constexpr uint32_t kFewRecords = 64;
 
 } // namespace
 
-bool Ledger::Reserve(uint32_t count) {
-    return m_records.Reserve(count) && m_lines.Reserve(count) && m_contacts.Reserve(count) &&
-           m_bits.Reserve(count) && m_patience.Reserve(count) && m_awake.Reserve(count) &&
-           m_touching.Reserve(count) && m_stops.Reserve(count) && m_owed.Reserve(count) &&
-           m_listed.Reserve(count) && m_marks.Reserve(count);
+void Ledger::Reserve(uint32_t count) {
+    m_records.Reserve(count);
+    m_lines.Reserve(count);
+    m_contacts.Reserve(count);
+    m_bits.Reserve(count);
+    m_patience.Reserve(count);
+    m_awake.Reserve(count);
+    m_touching.Reserve(count);
+    m_stops.Reserve(count);
+    m_owed.Reserve(count);
+    m_listed.Reserve(count);
+    m_marks.Reserve(count);
 }
 
 bool Ledger::Follow() {
@@ -50,9 +57,9 @@ bool Ledger::CatchUp() {
     if (IsWhole())
         return true;
     const int64_t more = int64_t{m_manager->m_contactCount} - m_live;
-    if (more <= 0 || more > ContactNumber::kMost - int64_t{m_count} ||
-        !Reserve(m_count + static_cast<uint32_t>(more)))
+    if (more <= 0 || more > ContactNumber::kMost - int64_t{m_count})
         return false;
+    Reserve(m_count + static_cast<uint32_t>(more));
     b2Contact *contact = m_manager->m_contactList;
     const b2Contact *const newest = Newest();
     for (int64_t k = more; k-- > 0; contact = contact->GetNext()) {
@@ -65,8 +72,7 @@ bool Ledger::CatchUp() {
     if (contact != newest || (newest != nullptr && NumberOf(newest) == kNone))
         return false;
     for (int64_t k = 0; k < more; ++k)
-        if (!Put(m_count, m_contacts[m_count]))
-            return false;
+        Put(m_count, m_contacts[m_count]);
     return true;
 }
 
@@ -89,21 +95,11 @@ void Ledger::Empty() {
 }
 
 /// The next record; counted where there is memory for its movers.
-bool Ledger::Put(uint32_t i, b2Contact *contact) {
+void Ledger::Put(uint32_t i, b2Contact *contact) {
     Record &record = m_records[i];
     record.a = m_movers.Acquire(contact->GetFixtureA(), m_manager->m_broadPhase, m_look);
-    if (record.a == Movers::kNone)
-        return false;
     record.b = m_movers.Acquire(contact->GetFixtureB(), m_manager->m_broadPhase, m_look);
-    if (record.b == Movers::kNone) {
-        m_movers.Release(record.a);
-        return false;
-    }
-    if (!m_proxyPairs.Reserve(i + 1)) {
-        m_movers.Release(record.a);
-        m_movers.Release(record.b);
-        return false;
-    }
+    m_proxyPairs.Reserve(i + 1);
     m_proxyPairs.Add(i, *contact);
     m_withoutDynamic = m_withoutDynamic || IsWithoutDynamic(*contact);
     ContactNumber::Write(contact, i);
@@ -115,7 +111,6 @@ bool Ledger::Put(uint32_t i, b2Contact *contact) {
     ++m_count;
     ++m_live;
     Watch(i);
-    return true;
 }
 
 void Ledger::TakeMarks() {

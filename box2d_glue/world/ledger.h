@@ -299,8 +299,8 @@ private:
         return ((m_movers.SweepBits(m_records[i].a) | m_movers.SweepBits(m_records[i].b)) & kStops) != 0;
     }
     bool Begin();
-    bool Reserve(uint32_t count);
-    bool Put(uint32_t i, b2Contact *contact);
+    void Reserve(uint32_t count);
+    void Put(uint32_t i, b2Contact *contact);
     void Take(uint32_t i);
     void Compact();
     void Empty();

@@ -33,9 +33,14 @@ struct Marks {
     uint32_t heapCount = 0;
     bool areHere = false;
 
-    bool Reserve(uint32_t count) {
-        return inIsland.Reserve(count) && known.Reserve(count) && met.Reserve(count) &&
-               asked.Reserve(count) && parked.Reserve(count) && times.Reserve(count) && counts.Reserve(count);
+    void Reserve(uint32_t count) {
+        inIsland.Reserve(count);
+        known.Reserve(count);
+        met.Reserve(count);
+        asked.Reserve(count);
+        parked.Reserve(count);
+        times.Reserve(count);
+        counts.Reserve(count);
     }
     /// The contact's own marks become those of this number.
     void Read(uint32_t i, b2Contact *contact);
@@ -73,16 +78,13 @@ struct Marks {
     static bool IsBefore(const Impact &a, const Impact &b) {
         return a.time < b.time || (a.time == b.time && a.number > b.number);
     }
-    /// False without memory.
-    bool Push(uint32_t i, float time) {
-        if (!heap.Reserve(heapCount + 1))
-            return false;
+    void Push(uint32_t i, float time) {
+        heap.Reserve(heapCount + 1);
         uint32_t at = heapCount++;
         const Impact impact = {time, i};
         for (; at > 0 && IsBefore(impact, heap[(at - 1) / 2]); at = (at - 1) / 2)
             heap[at] = heap[(at - 1) / 2];
         heap[at] = impact;
-        return true;
     }
     void Pop() {
         const Impact last = heap[--heapCount];

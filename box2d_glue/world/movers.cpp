@@ -149,15 +149,17 @@ uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhas
         ++m_rows[row].records;
         return row;
     }
-    if (!m_byFixture.MakeRoom(keyOf))
-        return kNone;
+    m_byFixture.MakeRoom(keyOf);
     row = m_free;
     if (row == kNone) {
         row = m_count;
-        if (!m_rows.Reserve(row + 1) || !m_moved.Reserve(row + 1) || !m_ends.Reserve(row + 1) ||
-            !m_lookedAt.Reserve(row + 1) || !m_bits.Reserve(row + 1) || !m_sweepBits.Reserve(row + 1) ||
-            !m_changeable.Reserve(row + 1))
-            return kNone;
+        m_rows.Reserve(row + 1);
+        m_moved.Reserve(row + 1);
+        m_ends.Reserve(row + 1);
+        m_lookedAt.Reserve(row + 1);
+        m_bits.Reserve(row + 1);
+        m_sweepBits.Reserve(row + 1);
+        m_changeable.Reserve(row + 1);
         ++m_count;
     } else {
         m_free = m_rows[row].watched;

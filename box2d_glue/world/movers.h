@@ -72,7 +72,7 @@ enum MoverBit : uint8_t {
 /// gone.
 class Movers {
 public:
-    /// The row of this fixture, made if there is none; kNone without memory. Counts one contact more.
+    /// The row of this fixture, made if there is none. Counts one contact more.
     uint32_t Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint64_t look);
     /// One contact less; the last one frees the row.
     void Release(uint32_t row);

@@ -18,7 +18,7 @@ class Ledger;
 class OwedEnabling {
 public:
     explicit OwedEnabling(const Ledger *ledger) : m_ledger(*ledger) {}
-    bool Reserve(uint32_t count) { return m_looked.Reserve(count); }
+    void Reserve(uint32_t count) { m_looked.Reserve(count); }
 
     /// From here on all contacts below this are owed it.
     void Begin(uint32_t below) {

@@ -17,8 +17,9 @@ uint64_t PairOf(int32 proxyA, int32 proxyB) {
 
 } // namespace
 
-bool ProxyPairs::Reserve(uint32_t count) {
-    return m_pairs.Reserve(count) && m_table.MakeRoom([this](uint32_t i) { return m_pairs[i]; });
+void ProxyPairs::Reserve(uint32_t count) {
+    m_pairs.Reserve(count);
+    m_table.MakeRoom([this](uint32_t i) { return m_pairs[i]; });
 }
 
 void ProxyPairs::Add(uint32_t i, const b2Contact &contact) {

@@ -15,8 +15,8 @@ namespace bmr {
 /// walk over a body's contacts, for every pair of boxes that begin to overlap.
 class ProxyPairs {
 public:
-    /// Room for contacts of numbers below this, and for one more than there are. False without memory.
-    bool Reserve(uint32_t count);
+    /// Room for contacts of numbers below this, and for one more than there are.
+    void Reserve(uint32_t count);
     /// For a contact that there is room for. A body that was put out of its world has no proxies; a filter
     /// may all the same make a contact of it meanwhile, which lasts until the body comes back with other
     /// proxies: the pair of such a contact is unknown.

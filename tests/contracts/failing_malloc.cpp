@@ -6,7 +6,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <new>
 
@@ -31,20 +30,14 @@ void __wrap__ZdlPvm(void *block, size_t size);
 
 namespace {
 
-uint64_t Setting(const char *name) {
-    const char *value = std::getenv(name);
-    return value != nullptr ? std::strtoull(value, nullptr, 10) : UINT64_MAX;
-}
-
-// Nothing fails before the environment was looked at.
-std::atomic<uint64_t> failAt{UINT64_MAX}, failFrom{UINT64_MAX};
+std::atomic<uint64_t> failAt{UINT64_MAX};
 std::atomic<uint64_t> asked{0}, failed{0};
 std::atomic<int64_t> out{0};
 
 /// Is this allocation to fail? Counts it.
 bool Fails() {
     const uint64_t number = asked.fetch_add(1);
-    const bool fails = number == failAt || number >= failFrom;
+    const bool fails = number == failAt;
     failed += fails;
     return fails;
 }
@@ -52,18 +45,6 @@ bool Fails() {
 void *Counted(void *block) {
     out += block != nullptr;
     return block;
-}
-
-__attribute__((constructor)) void LookAtEnvironment() {
-    failAt = Setting("BOOMERANG_TEST_FAIL_AT");
-    failFrom = Setting("BOOMERANG_TEST_FAIL_FROM");
-}
-
-__attribute__((destructor)) void Report() {
-    if (std::getenv("BOOMERANG_TEST_REPORT") != nullptr)
-        std::fprintf(stderr, "allocations %llu failed %llu out %lld\n",
-                     static_cast<unsigned long long>(asked), static_cast<unsigned long long>(failed),
-                     static_cast<long long>(out));
 }
 
 } // namespace
@@ -118,7 +99,6 @@ namespace failing_malloc {
 void FailAt(uint64_t number) {
     asked = failed = 0;
     failAt = number;
-    failFrom = UINT64_MAX;
 }
 
 uint64_t Asked() {

@@ -5,13 +5,7 @@
 #include <cstdint>
 
 /// @file
-/// Memory that fails for the code it is linked with. By the environment, or by these where the test is in the
-/// same program:
-///
-///   BOOMERANG_TEST_FAIL_AT=N     allocation N, counted from 0, fails
-///   BOOMERANG_TEST_FAIL_FROM=N   that one and all after it
-///   BOOMERANG_TEST_REPORT=1      at the end a line on stderr: how many were asked for, failed, and are still
-///   out
+/// Memory that fails for the code it is linked with.
 
 namespace failing_malloc {
 

@@ -3,14 +3,15 @@
 // lost. (All of this program is linked with memory that fails, its own code too: what fails while a world
 // steps must be the glue's.)
 #include <sys/mman.h>
+#include <sys/wait.h>
 
 #include "as_stock.h"
+#include "base/column.h"
 #include "boomerang/contact_recorder.h"
 #include "boomerang/convex_shape.h"
 #include "boomerang/inspect.h"
 #include "box2d_shapes.h"
 #include "failing_malloc.h"
-#include "proofs/impact_scan.h"
 
 using bmr::ConvexShape;
 using namespace as_stock;
@@ -233,15 +234,21 @@ TEST_CASE("what cannot be drawn whole for want of memory is drawn in pieces") {
     CHECK(less.polygons == 1 + 8); // 48 triangles, six to a piece
 }
 
-TEST_CASE("without memory for its places there is no search for impacts but Box2D's") {
-    std::thread([] { // of its own: a thread keeps its places
-        failing_malloc::FailAt(0);
-        const bool without = bmr::ImpactScan::Begin() != nullptr;
-        failing_malloc::FailAt(kNoFailure);
-        CHECK(!without);
-        CHECK(bmr::ImpactScan::Begin() != nullptr);
-    })
-        .join();
+TEST_CASE("without memory for a step the program ends with a sentence") {
+    const std::string said = StderrOf([] {
+        const pid_t child = fork();
+        if (child == 0) {
+            bmr::Column<int> column;
+            failing_malloc::FailAt(0);
+            column.Reserve(100);
+            test_leave(0);
+        }
+        int status = 0;
+        waitpid(child, &status, 0);
+        CHECK(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == SIGABRT);
+    });
+    CHECK(said == "boomerang: there is no memory for a step of Box2D\n");
 }
 
 TEST_CASE("Install without memory for its table is refused, and says so") {

@@ -242,10 +242,8 @@ private:
         for (size_t i = m_solved.size(); i-- > 0;) // static bodies are as the first island finds them
             m_solved[i].before.PutBack();
         const Taken taken;
-        if (taken.solver == nullptr ||
-            !taken.solver->Reserve(static_cast<uint32_t>(bodies), static_cast<uint32_t>(contacts),
-                                   static_cast<uint32_t>(joints)))
-            Fail("memory");
+        taken.solver->Reserve(static_cast<uint32_t>(bodies), static_cast<uint32_t>(contacts),
+                              static_cast<uint32_t>(joints));
         bool hasGear = false;
         for (const Solved &of : m_solved)
             for (const b2Joint *joint : of.joints)
@@ -276,10 +274,8 @@ private:
     template <typename Solving>
     void WithOurs(const b2TimeStep &step, b2ContactListener *listener, const Solving &solve) {
         const Taken taken;
-        if (taken.solver == nullptr ||
-            !taken.solver->Reserve(static_cast<uint32_t>(m_bodyCount), static_cast<uint32_t>(m_contactCount),
-                                   static_cast<uint32_t>(m_jointCount)))
-            Fail("memory");
+        taken.solver->Reserve(static_cast<uint32_t>(m_bodyCount), static_cast<uint32_t>(m_contactCount),
+                              static_cast<uint32_t>(m_jointCount));
         taken.solver->Begin(step, listener, false);
         for (int32 i = 0; i < m_bodyCount; ++i)
             taken.solver->Add(m_bodies[i]);
