@@ -11,7 +11,6 @@
 #include "base/rounding_mode.h"
 #include "contacts/apart_line.h"
 #include "contacts/solid_contact.h"
-#include "passes/collide_by_list.h"
 #include "passes/contact_access.h"
 #include "passes/contact_look.h"
 #include "start/current_step.h"
@@ -304,6 +303,48 @@ void CollidePass::End() {
         NotePairs(m_ledger->WatchedCount(), m_ledger->CountTouching());
     m_ledger->NoteLooks(m_looks, m_touching);
     m_ledger->Owed().EndPass(GameRan());
+}
+
+/// Contacts of a step by Box2D's list.
+struct ListCounts {
+    uint32_t awake = 0;    ///< one of the two bodies is
+    uint32_t touching = 0; ///< of these
+};
+
+/// Brings one contact up to date; false where it is to be destroyed.
+inline bool Persists(b2ContactManager *manager, b2Contact *contact, ListCounts *counts) {
+    b2Fixture *fixtureA = contact->GetFixtureA(), *fixtureB = contact->GetFixtureB();
+    if (SolidContact::WantsFiltering(*contact)) {
+        if (!PassesFilters(manager, fixtureA, fixtureB))
+            return false;
+        SolidContact::FilteringIsDone(contact);
+    }
+    if (!IsActive(fixtureA->GetBody()) && !IsActive(fixtureB->GetBody()))
+        return true;
+    if (!BoxesOverlap(manager, *contact))
+        return false;
+    b2ContactListener *const listener = manager->m_contactListener;
+    TellListener(listener, contact, UpdateContact(contact), [] {});
+    ++counts->awake;
+    counts->touching += contact->IsTouching() ? 1 : 0;
+    return true;
+}
+
+/// b2ContactManager::Collide by Box2D's list, contact by contact.
+ListCounts CollideByList(b2ContactManager *manager) {
+    ListCounts counts;
+    b2Contact *contact = manager->m_contactList;
+    while (contact != nullptr) {
+        ContactNumber::Prefetch(contact->GetNext());
+        if (Persists(manager, contact, &counts)) {
+            contact = contact->GetNext();
+        } else {
+            b2Contact *parted = contact;
+            contact = contact->GetNext();
+            manager->Destroy(parted);
+        }
+    }
+    return counts;
 }
 
 } // namespace

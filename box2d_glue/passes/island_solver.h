@@ -9,8 +9,7 @@
 #include "base/column.h"
 #include "passes/contact_solver.h"
 #include "passes/joint_solver.h"
-#include "passes/ordered_positions.h"
-#include "passes/ordered_velocities.h"
+#include "passes/ordered_contacts.h"
 
 class b2Body;
 class b2Contact;
@@ -32,7 +31,7 @@ struct IslandRoom {
     Column<b2Body *> stack;    ///< bodies of an island that are to be taken
     Column<uint32_t> touching; ///< numbers of contacts
     Column<Link> links;
-    Column<b2Contact *> stoppers; ///< passes/stoppers.h
+    Column<b2Contact *> stoppers; ///< passes/impacts.h
 };
 
 /// Solves islands with the bits of Box2D's b2Island.

@@ -4,7 +4,11 @@
 
 #include <cstdint>
 
+#include <box2d/b2_time_step.h>
+
 #include "base/column.h"
+#include "passes/contact_solver.h"
+#include "passes/joint_solver.h"
 
 namespace bmr {
 
@@ -92,6 +96,51 @@ private:
 
 /// `at`: the three coordinates of the body that its contacts write.
 bool CarriesNoOrder(float invMass, float invI, const float *at);
+
+/// The velocity iterations, with Box2D's bits: in an order of their own, four contacts at once.
+class OrderedVelocities {
+public:
+    void Reserve(uint32_t bodies, uint32_t contacts) { m_order.Reserve(bodies, contacts); }
+
+    /// False where Box2D's own order is needed, or as fast.
+    bool Order(const VelocityConstraint *constraints, const JointSolver &joints, const Island &island,
+               const b2Velocity *velocities, int32 iterations);
+    /// All iterations. Returns false where a velocity became NaN: what was solved is worth nothing then.
+    bool Solve(ContactSolver *solver, const JointSolver &joints, const Island &island,
+               b2Velocity *velocities) const;
+
+private:
+    OrderedContacts m_order;
+};
+
+/// The position iterations of contacts alone, with Box2D's bits: in an order of their own, four at once.
+///
+/// Box2D ends an island's iterations with the first that finds all points apart enough. Here all iterations
+/// overlap, so none may end. An island whose points were apart enough before the step mostly ends with the
+/// first, and is left to Box2D's order. The others mostly use all. Where one does not, its bodies are put
+/// back, and Box2D's order solves it.
+class OrderedPositions {
+public:
+    void Reserve(uint32_t bodies, uint32_t contacts) {
+        m_order.Reserve(bodies, contacts);
+        m_unsolved.Reserve(contacts);
+        m_before.Reserve(bodies);
+    }
+    /// Says which of the islands are done. The others are as they were: they need Box2D's own order, or are
+    /// as fast in it.
+    void Solve(ContactSolver *solver, Island *islands, uint32_t count, b2Position *positions,
+               int32 iterations);
+
+private:
+    static bool IsDeep(const PositionConstraint *constraints, const Island &island);
+    void Add(const PositionConstraint *constraints, const Island &island, const b2Position *positions);
+    bool SolveAll(ContactSolver *solver, b2Position *positions);
+    bool Settle(uint32_t iterations, bool isNumber, b2Position *positions, Island *island) const;
+
+    OrderedContacts m_order;
+    Column<uint8_t> m_unsolved; ///< of each contact: a bit for each iteration that left it too deep
+    Column<b2Position> m_before;
+};
 
 } // namespace bmr
 

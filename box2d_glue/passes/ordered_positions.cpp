@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The operations of a lane are those of ContactSolver::SolvePosition, in its order and with its signs.
-#include "passes/ordered_positions.h"
+#include "passes/ordered_contacts.h"
 
 #include <cstddef>
 
