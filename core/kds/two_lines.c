@@ -11,6 +11,16 @@
 //              repair. As one certificate it is "one line or the other".
 //   free-fd2   the free direction alone (two corners): the control, which has more events on convex paths.
 //   coarse     the coarse line alone: the control, which has no hysteresis.
+// Their bounds, from those of the free direction's steps (free_direction.c) and the coarse line's failures
+// (certificate/coarse.c); eta = D/N^2. The bounds of the free direction count disjoint steps, from a choice
+// of u to the first failure of that line; anything may happen between two steps. In two-lines every interval
+// from repair to repair contains a step and, but for the last, a failure of the coarse line, to which Lemmas
+// B and C apply. In hybrid, steps begin at gaps of at least max{sigma, eta}. A step that ends below eta is
+// followed by a coarse pick, which pays for it; every other step begins and ends at gaps of at least
+// max{sigma, eta}. On a convex path the gap falls while the slope of approach is positive. So there is one
+// run of coarse picks, at most one step ends below eta, and a free direction that is made after the run never
+// fails. In rigid motions coarse picks are at most one more than failures of coarse lines. If sigma is below
+// eta, then D/sigma > N^2 and mu = n.
 #include <stddef.h>
 
 #include "kds/coarse_line.h"
