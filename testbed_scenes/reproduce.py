@@ -183,12 +183,15 @@ def main():
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--build", default=ROOT / "build", help=argparse.SUPPRESS)
     parser.add_argument("--output", default="reproduced", metavar="DIR")
-    parser.add_argument("--check", action="store_true", help=argparse.SUPPRESS) # the request alone
+    parser.add_argument("--targets", action="store_true", help=argparse.SUPPRESS) # what has to be built, and no more
     options = parser.parse_args()
     for name in options.names:
         if name not in NAMES:
             parser.exit(2, f"reproduce: there is no {name!r}; there are {', '.join(NAMES)}\n")
-    if options.check:
+    names = options.names or [name for name in NAMES if name != "drifters"]
+    if options.targets:
+        plays = any(name in PICTURES and PICTURES[name][0].startswith("render") for name in names)
+        print("boomerang-testbed", "boomerang-scene boomerang-scene-plugin boomerang-count" if plays else "")
         return 0
     differs = False
 
@@ -197,7 +200,7 @@ def main():
         if done.returncode not in (0, 1):
             parser.exit(3, f"reproduce: failed ({done.returncode}): {' '.join(words)}\n{done.stderr}")
 
-    for name in options.names or [name for name in NAMES if name != "drifters"]:
+    for name in names:
         result, out = Result(), pathlib.Path(options.output).resolve() / name
         out.mkdir(parents=True, exist_ok=True)
 
