@@ -3,7 +3,7 @@
 
     ./testbed_scenes/run reproduce              all but drifters: a minute
     ./testbed_scenes/run reproduce table-1      the paper's Table 1, beside what is counted here: half a minute
-    ./testbed_scenes/run reproduce NAME ...     these alone: table-1, rivals, saturation, near, figures, planks, any-size, drifters
+    ./testbed_scenes/run reproduce NAME ...     these alone: table-1, rivals, saturation, figures, planks, any-size, drifters
     --output DIR                                keep what was made in this directory (default: reproduced/)
 
 What it needs is built first: that takes minutes, once. Counts must be the pages' as they are rounded there, and pictures the committed ones
@@ -30,7 +30,7 @@ PICTURES = {
                  "-o {out}/drifters.png", None),
 }
 # Tables of events, of which each cell lists the counts, ratio by ratio: how the command above them begins in its page.
-LISTS = {"rivals": "events line tumble --structures rivals", "saturation": "events orbit spin tumble", "near": "events line orbit zigzag spin"}
+LISTS = {"rivals": "events line tumble --structures rivals", "saturation": "events orbit spin tumble"}
 # Table 1: its two commands, and what the page calls the structures of each.
 PARTS = [("events line parabola algebraic orbit --shape ellipse:point", {"triangle": "triangle-levels", "lazy": "point-lazy"}),
          ("events line parabola algebraic orbit rigid-algebraic", {"active cell": "active-cell", "lazy": "lazy"})]
