@@ -101,7 +101,7 @@ void TellOfPoint(const bmr_rings &rings, uint64_t point, OutlineFault *fault) {
     int32 ring = 0;
     for (uint64_t first = 0; point - first >= rings.counts[ring]; ++ring)
         first += rings.counts[ring];
-    *fault = {{static_cast<int32>(point), -1}, {ring, -1}, b2Vec2_zero};
+    *fault = {{static_cast<int32>(point), -1}, {ring, -1}, b2Vec2(0.0f, 0.0f)};
     fault->where.Set(static_cast<float>(rings.points[point].x), static_cast<float>(rings.points[point].y));
 }
 
