@@ -3,9 +3,8 @@
 #define BOOMERANG_PLUGIN_START_H
 
 #include <atomic>
-#include <mutex>
 
-#include "start/process_locks.h"
+#include "start/process_lock.h"
 #include "start/reach.h"
 
 /// @file
@@ -25,7 +24,7 @@ void StartNow();
 template <typename Start> void StartOnce(const Start &start) {
     if (IsFindingReach()) // Install does, on this thread
         return;
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Starting));
+    const HoldsProcessLock lock;
     if (!startsByItself.load(std::memory_order_relaxed))
         return;
     start();

@@ -2,7 +2,6 @@
 #include "contacts/contact_register.h"
 
 #include <atomic>
-#include <mutex>
 
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
@@ -10,7 +9,7 @@
 #include "contacts/convex_contact.h"
 #include "contacts/edge_contact.h"
 #include "contacts/polygon_contact.h"
-#include "start/process_locks.h"
+#include "start/process_lock.h"
 #include "start/recognise.h"
 
 namespace bmr {
@@ -99,7 +98,7 @@ std::atomic<bool> convexContactsAreOurs{false};
 const char *WhyThisBox2DIsUnknown() {
     static bool known = false;
     static const char *why = nullptr;
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Recognising));
+    const HoldsProcessLock lock;
     if (!known)
         why = WhyBox2DIsUnknown();
     known = why != kNoMemoryToRecognise;
@@ -107,13 +106,13 @@ const char *WhyThisBox2DIsUnknown() {
 }
 
 void RegisterPolygonContacts() {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Registering));
+    const HoldsProcessLock lock;
     PolygonContact::LearnVtable();
     Layer<PolygonContact>::Register(b2Shape::e_polygon, b2Shape::e_polygon);
 }
 
 void RegisterEdgeContacts() {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Registering));
+    const HoldsProcessLock lock;
     EdgeContact::LearnVtable();
     Layer<EdgeContact>::Register(b2Shape::e_edge, b2Shape::e_polygon);
     Layer<EdgeContact>::Register(b2Shape::e_chain, b2Shape::e_polygon);
@@ -124,7 +123,7 @@ bmr_error RegisterConvexContacts() {
         return BMR_OK;
     if (const char *why = WhyThisBox2DIsUnknown())
         return why == kNoMemoryToRecognise ? BMR_ERROR_NO_MEMORY : BMR_ERROR_UNSUPPORTED;
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Registering));
+    const HoldsProcessLock lock;
     if (!convexContactsAreOurs.load(std::memory_order_relaxed)) {
         ConvexContact::LearnVtable();
         Layer<ConvexContact>::Register(b2Shape::e_polygon, b2Shape::e_polygon);

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <mutex>
 #include <new>
 
 #include "boomerang/convex_shape.h"
 #include "shapes/convex_geometry.h"
-#include "start/process_locks.h"
+#include "start/process_lock.h"
 
 namespace bmr {
 
@@ -25,7 +24,7 @@ constexpr uint32_t kChunkSize = 1u << kChunkBits;
 /// by chance.
 constexpr uint64_t kScatter = 0x9e3779b97f4a7c15u;
 
-// Guarded by ProcessLock::Polygons.
+// Guarded by ProcessLock.
 Handle firstFree = 0;
 Handle firstUnused = 1;
 uint64_t made = 0;
@@ -76,7 +75,7 @@ Handle TakeHandle() {
 } // namespace
 
 Handle Add(bmr_convex32_block *block, Group *group) {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
+    const HoldsProcessLock lock;
     const Handle handle = TakeHandle();
     if (handle == 0)
         return 0;
@@ -95,7 +94,7 @@ void Remove(Handle handle) {
     Entry &entry = Find(handle);
     entry.number.store(0, std::memory_order_relaxed);
     bmr_convex32_destroy(entry.block.load(std::memory_order_relaxed), GetAllocator());
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
+    const HoldsProcessLock lock;
     entry.nextFree = firstFree;
     firstFree = handle;
     --count;
@@ -118,17 +117,17 @@ void ReleaseGroup(Group *group) {
 }
 
 void SetAllocator(const bmr_allocator *newAllocator) {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
+    const HoldsProcessLock lock;
     allocator = newAllocator;
 }
 
 const bmr_allocator *GetAllocator() {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
+    const HoldsProcessLock lock;
     return allocator;
 }
 
 size_t Count() {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Polygons));
+    const HoldsProcessLock lock;
     return count;
 }
 

@@ -2,13 +2,12 @@
 #include "start/install.h"
 
 #include <cstdio>
-#include <mutex>
 
 #include "base/rounding_mode.h"
 #include "boomerang/box2d_glue.h"
 #include "contacts/contact_register.h"
 #include "start/environment.h"
-#include "start/process_locks.h"
+#include "start/process_lock.h"
 #include "start/reach.h"
 #include "start/recognise.h"
 #include "start/rounding_probe.h"
@@ -54,7 +53,7 @@ bool Install(const Options &given) {
 }
 
 bool InstallHere(const Options &given) {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
+    const HoldsProcessLock lock;
     called = true;
     if (installed || refusedWhy != nullptr)
         return false;
@@ -83,17 +82,17 @@ bool InstallHere(const Options &given) {
 }
 
 const char *WhyRefused() {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
+    const HoldsProcessLock lock;
     return refusedWhy;
 }
 
 bool InstallWasCalled() {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
+    const HoldsProcessLock lock;
     return called;
 }
 
 bool IsInstalled() {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Installing));
+    const HoldsProcessLock lock;
     return installed;
 }
 

@@ -2,13 +2,11 @@
 #include "start/this_process.h"
 
 #include <atomic>
-#include <new>
 
 #if defined(_WIN32)
 #    include <process.h>
 #else
 #    include <pthread.h>
-#    include <sys/mman.h>
 #    include <unistd.h>
 #endif
 
@@ -16,9 +14,7 @@ namespace bmr {
 
 namespace {
 
-using Flag = std::atomic<bool>;
-Flag ownFlag{false};
-Flag *announced = &ownFlag;
+std::atomic<bool> announced{false};
 
 } // namespace
 
@@ -37,19 +33,11 @@ void CallWhenForked([[maybe_unused]] void (*function)()) {
 }
 
 bool ClaimAnnouncement() {
-    return !announced->exchange(true);
+    return !announced.exchange(true);
 }
 
 bool IsAnnounced() {
-    return announced->load();
-}
-
-void ShareAnnouncement() {
-#if !defined(_WIN32) // which does not fork
-    void *page = mmap(nullptr, sizeof(Flag), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (page != MAP_FAILED)
-        announced = new (page) Flag(false);
-#endif
+    return announced.load();
 }
 
 } // namespace bmr

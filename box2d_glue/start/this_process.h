@@ -13,11 +13,10 @@ long ThisProcess();
 /// In the child of every fork from here on.
 void CallWhenForked(void (*function)());
 
-/// What is said on stderr about what is at work: true for the first who asks. Where ShareAnnouncement was
-/// called, that is the first of the process that called it and all that are forked from it since.
+/// What is said on stderr about what is at work: true for the first who asks, in this process or the one that
+/// it was forked from.
 bool ClaimAnnouncement();
 bool IsAnnounced();
-void ShareAnnouncement();
 
 } // namespace bmr
 

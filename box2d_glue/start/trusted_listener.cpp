@@ -3,9 +3,8 @@
 
 #include <atomic>
 #include <cstring>
-#include <mutex>
 
-#include "start/process_locks.h"
+#include "start/process_lock.h"
 
 namespace bmr {
 
@@ -17,7 +16,7 @@ int recorders = 0; ///< alive, of this table
 namespace internal {
 
 void TrustListener(const void *table, int change) {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Recorders));
+    const HoldsProcessLock lock;
     const void *const known = tableOfRecorders.load(std::memory_order_relaxed);
     if (known != nullptr && known != table)
         return;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "world/ledgers.h"
 
-#include <mutex>
 #include <new>
 
 #include "base/compiler.h"
 #include "start/current_step.h"
-#include "start/process_locks.h"
+#include "start/process_lock.h"
 #include "world/ledger.h"
 #include "world/world_sign.h"
 
@@ -52,7 +51,7 @@ Entry **LinkTo(const b2ContactManager *manager) {
 }
 
 void Drop(const b2ContactManager *manager) {
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
+    const HoldsProcessLock lock;
     Entry **link = LinkTo(manager);
     Entry *const ended = *link;
     if (ended == nullptr)
@@ -68,7 +67,7 @@ void Drop(const b2ContactManager *manager) {
 Ledger *internal::FindLedgerOfSome(const b2ContactManager *manager) {
     const uint64_t now = changesOfLedgers.load(std::memory_order_acquire);
     if (remembered.manager != manager || remembered.changes != now) {
-        const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
+        const HoldsProcessLock lock;
         remembered = {manager, *LinkTo(manager), now};
     }
     Entry *const ledger = remembered.ledger;
@@ -95,7 +94,7 @@ Ledger *MakeLedger(b2ContactManager *manager) {
         delete made;
         return nullptr;
     }
-    const std::lock_guard<std::mutex> lock(LockOf(ProcessLock::Ledgers));
+    const HoldsProcessLock lock;
     *LinkTo(manager) = made;
     internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
     return made;

@@ -71,19 +71,6 @@ TEST_CASE("who asks is told what is at work, and what is not reached without the
                   "b2World::Step do not come by this library\n\n");
 }
 
-TEST_CASE("of processes that share their announcement one claims it") {
-    CHECK(InChild([](Run &run) {
-              bmr::ShareAnnouncement();
-              run.Print("%d", bmr::IsAnnounced());
-              const pid_t child = fork();
-              if (child == 0)
-                  test_leave(bmr::ClaimAnnouncement() ? 0 : 1);
-              int status = 0;
-              waitpid(child, &status, 0);
-              run.Print("%d %d %d", status == 0, bmr::IsAnnounced(), bmr::ClaimAnnouncement());
-          }) == "0\n1 1 0\n");
-}
-
 TEST_CASE("a file that BOOMERANG_COUNTS names gets what is counted, when the process ends") {
     const std::string name = NameFor(".counts");
     setenv("BOOMERANG_COUNTS", name.c_str(), 1);

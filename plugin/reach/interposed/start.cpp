@@ -34,8 +34,7 @@ long loadedIn;
 /// Preloaded, or asked for by the environment. Otherwise the program calls bmr::Install.
 bool startsAtFirstStep = false;
 
-/// At the end, for the program and all that it has forked, where nothing else was said. (What it executes
-/// loads the library anew, and speaks for itself.)
+/// At the end of the process that loaded the library, where nothing else was said.
 void SayWhyNotUsed() {
     const bool came = StepsComeByHere() && !internal::startsByItself;
     if (ThisProcess() != loadedIn || IsAnnounced())
@@ -53,7 +52,6 @@ void SayAtExitIfNotUsed() {
     if (!IsVerbose())
         return;
     loadedIn = ThisProcess();
-    ShareAnnouncement();
     std::atexit(SayWhyNotUsed);
 }
 
