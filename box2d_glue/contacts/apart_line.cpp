@@ -7,7 +7,6 @@
 #include <box2d/b2_polygon_shape.h>
 
 #include "contacts/solid_contact.h"
-#include "proofs/body_pair.h"
 #include "proofs/thresholds.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"

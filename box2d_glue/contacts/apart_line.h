@@ -11,7 +11,7 @@ class SolidContact;
 
 /// A contact of ours was looked at, and its two polygons do not touch: gives its record in the ledger the
 /// budget that their distance allows, along the direction that is known already (the remembered edge's, that
-/// of the bodies' kinetic pair, that of a big polygon's memory), or along one that is found from there in a
+/// of a big polygon's memory, that of the bodies' structure), or along one that is found from there in a
 /// step. Leaves the record due where that is no more than the margins.
 ///
 /// What is proved is a distance of the vertices as they are, computed in double, so that it does not matter

@@ -6,7 +6,6 @@
 
 #include "contacts/convex_contact.h"
 #include "contacts/polygon_contact.h"
-#include "proofs/body_pair.h"
 #include "proofs/polygon_view.h"
 #include "start/settings.h"
 #include "tell/event.h"
@@ -21,25 +20,21 @@ constexpr Turn Quiet(Life life) {
     return {life, BMR_EVENT_KIND_COUNT, 0, 0};
 }
 
-/// A row for each life, a column for each finding: Nothing, ByBodies, ByDisks, Remembered, Another.
-constexpr Turn kTurns[4][5] = {
+/// A row for each life, a column for each finding: Nothing, ByDisks, Remembered, Another.
+constexpr Turn kTurns[4][4] = {
     {{Life::Contact, BMR_EVENT_CONTACT, kCoarse, kPolygons},
-     Quiet(Life::Unborn),
      {Life::Coarse, BMR_EVENT_START, kCoarse, kCoarse},
      {Life::Apart, BMR_EVENT_START, kCoarse, kPolygons},
      {Life::Apart, BMR_EVENT_START, kCoarse, kPolygons}},
     {{Life::Contact, BMR_EVENT_CONTACT, kCoarse, kPolygons},
      Quiet(Life::Coarse),
-     Quiet(Life::Coarse),
      {Life::Apart, BMR_EVENT_STAB, kCoarse, kPolygons},
      {Life::Apart, BMR_EVENT_STAB, kCoarse, kPolygons}},
     {{Life::Contact, BMR_EVENT_CONTACT, kPolygons, kPolygons},
-     Quiet(Life::Apart),
      {Life::Coarse, BMR_EVENT_COARSEN, kPolygons, kCoarse},
      Quiet(Life::Apart),
      {Life::Apart, BMR_EVENT_PUSH, kPolygons, kPolygons}},
     {Quiet(Life::Contact),
-     {Life::Coarse, BMR_EVENT_LEAVE, kPolygons, kCoarse},
      {Life::Coarse, BMR_EVENT_LEAVE, kPolygons, kCoarse},
      {Life::Apart, BMR_EVENT_LEAVE, kPolygons, kPolygons},
      {Life::Apart, BMR_EVENT_LEAVE, kPolygons, kPolygons}},
@@ -142,7 +137,7 @@ bmr_pair PairOf(const SolidContact &contact, Held held, const b2Transform &xfA, 
     }
     const bmr_pose poses[2] = {PoseOf(xfA), PoseOf(xfB)};
     if (along == nullptr && PolygonContact::AsOurs(&contact) != nullptr) {
-        const EdgeMemory &memory = contact.state.link.byEdge;
+        const EdgeMemory &memory = contact.state.edge;
         const int owner = memory.ofB ? 1 : 0;
         FillLine(&pair, polygons[owner], polygons[1 - owner], owner,
                  UnitOf(VectorOf(polygons[owner].normals[memory.number])),
@@ -185,8 +180,8 @@ Turn TurnOf(Life life, Held held) {
 }
 
 void SolidContact::Live(Held held, const b2Transform &xfA, const b2Transform &xfB, const bmr_vec2 *along) {
-    const Turn turn = TurnOf(state.pair.GetLife(), held);
-    state.pair.SetLife(turn.next);
+    const Turn turn = TurnOf(state.life, held);
+    state.life = turn.next;
     if (turn.event == BMR_EVENT_KIND_COUNT)
         return;
     const b2Body *bodyA = m_fixtureA->GetBody(), *bodyB = m_fixtureB->GetBody();
@@ -194,24 +189,11 @@ void SolidContact::Live(Held held, const b2Transform &xfA, const b2Transform &xf
         TellOfEvent(bodyA, bodyB, {turn.event, turn.levelBefore, turn.levelAfter, nullptr, nullptr, 0.0});
         return;
     }
-    if (held != Held::ByBodies) {
-        TellOf(turn, PairOf(*this, held, xfA, xfB, along), bodyA, bodyB, xfA, xfB);
-        return;
-    }
-    // The certificate is that of the hulls' pair, its bodies in its order; the event is the contact's.
-    const BodyPair *above = state.pair;
-    if (above->parent != nullptr && above->parent->verdict == BMR_APART) // it is asked first
-        above = above->parent;
-    bmr_pair pair = above->kinetic;
-    pair.stamp = 0;
-    if (above->a->body == bodyA)
-        TellOf(turn, pair, bodyA, bodyB, xfA, xfB);
-    else
-        TellOf(turn, pair, bodyB, bodyA, xfB, xfA);
+    TellOf(turn, PairOf(*this, held, xfA, xfB, along), bodyA, bodyB, xfA, xfB);
 }
 
 void SolidContact::LeaveAlong(bmr_vec2 d) {
-    if (state.pair.GetLife() == Life::Contact)
+    if (state.life == Life::Contact)
         Live(Held::Another, m_fixtureA->GetBody()->GetTransform(), m_fixtureB->GetBody()->GetTransform(), &d);
 }
 

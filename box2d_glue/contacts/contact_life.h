@@ -10,14 +10,14 @@ namespace bmr {
 
 /// @file
 /// A contact of two polygons is a kinetic structure of its own: it keeps a certificate from look to look.
-/// This is its life in the paper's words. (The hulls of two bodies, which many contacts share, live another
-/// one, in a BodyPair. It is told beside those of the contacts.)
+/// This is its life in the paper's words. (With Options::pairsBy the structures of two bodies' hulls live in
+/// their place, and core tells their events.)
 ///
 /// A contact's structure has two levels.
 /// - Level 0 is the polygons themselves. Of two small ones the certificate is an edge of one, with all of the
 ///   other beyond it. Where one is big, it is a direction, with the vertices that are farthest along it. Of a
 ///   sensor's contact it is a direction, too.
-/// - Level -1 is what is coarser: the disks around two big polygons, or the hulls of the bodies.
+/// - Level -1 is what is coarser: the disks around two big polygons.
 ///
 /// | event | it is told when |
 /// | --- | --- |
@@ -32,8 +32,8 @@ namespace bmr {
 /// there is no window that the direction could leave. For the same reason any other edge is a push, whichever
 /// of the two polygons it belongs to.
 ///
-/// No event: a look at which the certificate holds; a budget that is renewed by its line; a contact that its
-/// bodies' hulls answer for; the end of a contact. Where the two bodies meet again, the new contact starts
+/// No event: a look at which the certificate holds; a budget that is renewed by its line; the end of a
+/// contact. Where the two bodies meet again, the new contact starts
 /// anew. (What was handed over may leave by the line that its record in the ledger then gets.)
 ///
 /// So its events are (start (push | stab | coarsen)*)? (contact leave (push | stab | coarsen)*)*, cut
@@ -41,7 +41,7 @@ namespace bmr {
 
 /// The certificate that keeps a contact's polygons apart, as its events name it.
 enum class Life : uint8_t {
-    Unborn, ///< nothing was found yet, except by the hulls of the bodies
+    Unborn, ///< nothing was found yet
     Coarse, ///< level -1
     Apart,  ///< level 0
     Contact ///< nothing: it is handed over
@@ -50,7 +50,6 @@ enum class Life : uint8_t {
 /// The result of a look at a contact.
 enum class Held : uint8_t {
     Nothing,    ///< not known to be apart
-    ByBodies,   ///< the structure of the bodies holds; the contact's own certificate was not looked at
     ByDisks,    ///< the disks around the two polygons are apart
     Remembered, ///< the certificate of the last look holds
     Another     ///< another one was found

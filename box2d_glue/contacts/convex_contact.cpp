@@ -9,7 +9,6 @@
 
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
-#include "contacts/pair_registry.h"
 #include "convex32/convex32_distance.h"
 #include "proofs/polygon_view.h"
 #include "proofs/thresholds.h"
@@ -74,14 +73,10 @@ bool ConvexContact::Serves(const b2Shape &a, const b2Shape &b) {
 b2Contact *ConvexContact::Make(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
                                b2BlockAllocator *allocator) {
     void *memory = allocator->Allocate(sizeof(ConvexContact));
-    ConvexContact *contact = new (memory) ConvexContact(fixtureA, indexA, fixtureB, indexB);
-    if (contact->IsOfPolygons() && GetSettings().made)
-        AttachPair(contact, allocator);
-    return contact;
+    return new (memory) ConvexContact(fixtureA, indexA, fixtureB, indexB);
 }
 
 void ConvexContact::Unmake(ConvexContact *contact, b2BlockAllocator *allocator) {
-    DetachPair(contact, allocator);
     contact->~ConvexContact();
     allocator->Free(contact, sizeof(ConvexContact));
 }
@@ -114,29 +109,13 @@ inline Answer ConvexContact::Ask(const b2Transform &xfA, const b2Transform &xfB)
         return Answer::Touching;
     if (!IsOfPolygons()) // there the search for the manifold begins with the look
         return Answer::HandedOver;
-    // One answer of the pair serves many contacts; the look is this one's own.
-    if (state.pair != nullptr && PairSaysApart(this, xfA, xfB))
-        return Answer::ApartByPair;
+    if (PairsAreHulls())
+        return HullsSayApart(xfA, xfB) ? Answer::ApartByPair : Answer::HandedOver;
     return Look(xfA, xfB);
 }
 
-/// What is shared by a pair leaves room for less.
-inline bmr_convex32_memory ConvexContact::Recall() const {
-    if (state.pair == nullptr)
-        return state.closest;
-    return {state.link.byVertices.a, state.link.byVertices.b, 0, 0};
-}
-
 bmr_vec2 ConvexContact::KnownDirection() const {
-    const bmr_convex32_memory memory = Recall();
-    return {static_cast<double>(memory.axis_x), static_cast<double>(memory.axis_y)};
-}
-
-inline void ConvexContact::Keep(const bmr_convex32_memory &memory) {
-    if (state.pair == nullptr)
-        state.closest = memory;
-    else
-        state.link.byVertices = {memory.support_a, memory.support_b};
+    return {static_cast<double>(state.closest.axis_x), static_cast<double>(state.closest.axis_y)};
 }
 
 inline float ConvexContact::Margin() const {
@@ -150,25 +129,16 @@ inline Answer ConvexContact::Look(const b2Transform &xfA, const b2Transform &xfB
     if (!WithinReach(xfA, ReachOf(m_fixtureA)) || !WithinReach(xfB, ReachOf(m_fixtureB)))
         return Answer::HandedOver;
     const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
-    const bmr_convex32_memory before = Recall();
-    bmr_convex32_memory memory = before;
-    const bool apart = bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), margin, &memory);
-    Keep(memory);
-    if (!apart)
+    const bmr_convex32_memory before = state.closest;
+    if (!bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), margin, &state.closest))
         return Answer::HandedOver;
-    return IsSameProof(before, memory) ? Answer::ApartByEdge : Answer::ApartBySearch;
-}
-
-/// Is what a look ended with what it began with? Beside a pair vertices alone are kept.
-inline bool ConvexContact::IsSameProof(const bmr_convex32_memory &before,
-                                       const bmr_convex32_memory &after) const {
-    return state.pair == nullptr ? before.axis_x == after.axis_x && before.axis_y == after.axis_y
-                                 : before.support_a == after.support_a && before.support_b == after.support_b;
+    const bool isSame = before.axis_x == state.closest.axis_x && before.axis_y == state.closest.axis_y;
+    return isSame ? Answer::ApartByEdge : Answer::ApartBySearch;
 }
 
 bmr_vec2 ConvexContact::ProvedDirection(const b2Transform &xfA, const b2Transform &xfB) const {
     const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
-    bmr_convex32_memory memory = Recall();
+    bmr_convex32_memory memory = state.closest;
     if (!bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), Margin(), &memory))
         return {0.0, 0.0};
     return {static_cast<double>(memory.axis_x), static_cast<double>(memory.axis_y)};
@@ -176,8 +146,6 @@ bmr_vec2 ConvexContact::ProvedDirection(const b2Transform &xfA, const b2Transfor
 
 /// For the life of the contact alone: what is asked here changes no memory.
 Held ConvexContact::HeldBy(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const {
-    if (answer == Answer::ApartByPair)
-        return Held::ByBodies;
     if (answer == Answer::ApartBySearch)
         return Held::Another;
     if (answer == Answer::HandedOver || points)
@@ -197,18 +165,16 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
     if (answer < Answer::HandedOver) {
         manifold->pointCount = 0;
     } else {
-        bmr_convex32_memory memory = Recall();
         const TwoFixtures two = Two();
-        CollideConvex(two, Seams::Known, manifold, xfA, xfB, &memory);
-        Keep(memory);
+        CollideConvex(two, Seams::Known, manifold, xfA, xfB, &state.closest);
         if (manifold->pointCount == 0 && HasSeams(two))
-            AnswerForOthers(*this, two, IsAtImpact(), manifold, xfA, xfB, memory);
+            AnswerForOthers(*this, two, IsAtImpact(), manifold, xfA, xfB, state.closest);
         PutDeeperFirst(manifold, xfA, xfB);
         if (manifold->pointCount > 0)
             bmr_convex32_keep_features(Manifold32(manifold), Manifold32(&old), kFeatureDistance);
     }
     if (GetSettings().options.statistics) {
-        if (IsOfPolygons())
+        if (IsOfPolygons() && !PairsAreHulls())
             Live(HeldBy(answer, manifold->pointCount > 0, xfA, xfB), xfA, xfB);
         TellOfAnswer(*this, answer, true);
     }

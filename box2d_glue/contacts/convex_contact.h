@@ -42,15 +42,12 @@ private:
 
     Answer Look(const b2Transform &xfA, const b2Transform &xfB);
     float Margin() const;
-    bool IsSameProof(const bmr_convex32_memory &before, const bmr_convex32_memory &after) const;
     Held HeldBy(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const;
     Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
     void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
                       const b2Manifold &old);
     bool IsAtImpact() const;
     TwoFixtures Two() const { return {m_fixtureA, m_fixtureB, m_indexA}; }
-    bmr_convex32_memory Recall() const;
-    void Keep(const bmr_convex32_memory &memory);
 };
 
 static_assert(sizeof(ConvexContact) <= 224, "must stay in the block class of a stock contact");

@@ -8,8 +8,6 @@
 #include <box2d/b2_fixture.h>
 
 #include "base/rounding_mode.h"
-#include "contacts/pair_registry.h"
-#include "proofs/body_pair.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
@@ -29,9 +27,7 @@ const b2PolygonShape &ShapeOf(const b2Fixture *fixture) {
 Held HeldBy(Answer answer, bool edgeFound) {
     if (edgeFound)
         return Held::Another;
-    return answer == Answer::ApartByPair   ? Held::ByBodies
-           : answer == Answer::ApartByEdge ? Held::Remembered
-                                           : Held::Nothing;
+    return answer == Answer::ApartByEdge ? Held::Remembered : Held::Nothing;
 }
 
 } // namespace
@@ -43,13 +39,10 @@ bool PolygonContact::Serves(const b2Shape &a, const b2Shape &b) {
 b2Contact *PolygonContact::Make(b2Fixture *fixtureA, int32 /*indexA*/, b2Fixture *fixtureB, int32 /*indexB*/,
                                 b2BlockAllocator *allocator) {
     void *memory = allocator->Allocate(sizeof(PolygonContact));
-    PolygonContact *contact = new (memory) PolygonContact(fixtureA, fixtureB);
-    AttachPair(contact, allocator);
-    return contact;
+    return new (memory) PolygonContact(fixtureA, fixtureB);
 }
 
 void PolygonContact::Unmake(PolygonContact *contact, b2BlockAllocator *allocator) {
-    DetachPair(contact, allocator);
     contact->~PolygonContact();
     allocator->Free(contact, sizeof(PolygonContact));
 }
@@ -61,7 +54,7 @@ void PolygonContact::LearnVtable() {
 
 PolygonContact::PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB)
     : SolidContact(fixtureA, 0, fixtureB, 0) {
-    state.link.byEdge.number = kNoEdge;
+    state.edge.number = kNoEdge;
 }
 
 void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
@@ -85,15 +78,10 @@ inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB
         return Answer::Touching;
     if (!RoundsToNearest())
         return Answer::HandedOver;
-    // Hulls that overlapped at the last look (concave bodies, close together) most likely do so still: there
-    // the edge is asked first.
-    const bool pairFirst = state.pair != nullptr && state.pair->verdict == BMR_APART;
-    if (pairFirst && PairSaysApart(this, xfA, xfB))
-        return Answer::ApartByPair;
+    if (PairsAreHulls())
+        return HullsSayApart(xfA, xfB) ? Answer::ApartByPair : Answer::HandedOver;
     if (EdgeSaysApart(xfA, xfB))
         return Answer::ApartByEdge;
-    if (state.pair != nullptr && !pairFirst && PairSaysApart(this, xfA, xfB))
-        return Answer::ApartByPair;
     return Answer::HandedOver; // a manifold begins with the search for an edge
 }
 
@@ -110,7 +98,7 @@ inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, co
     if (edgeFound && answer == Answer::HandedOver)
         answer = Answer::ApartBySearch;
     if (GetSettings().options.statistics) {
-        if (EdgesAreOn()) // else a structure of the two fixtures lives for them
+        if (!PairsAreHulls()) // else the structure of the two bodies lives for them
             Live(HeldBy(answer, edgeFound), xfA, xfB);
         CountAnswer(answer);
     }
@@ -122,7 +110,7 @@ inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, co
 }
 
 void PolygonContact::CountAnswer(Answer answer) const {
-    if (answer < Answer::Touching && answer != Answer::ApartByPair && EdgesAreOn())
+    if (answer < Answer::Touching && !PairsAreHulls())
         Count(&Counts::edgeChecks);
     TellOfAnswer(*this, answer, ManifoldIsMadeHere());
 }
@@ -141,10 +129,9 @@ inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform 
     const bmr_polygon32 a = Polygon32(ShapeOf(m_fixtureA)), b = Polygon32(ShapeOf(m_fixtureB));
     const int32_t edge = bmr_exact32_collide(Manifold32(manifold), &a, Transform32(xfA), &b, Transform32(xfB),
                                              RadiusSum(), kTolerance);
-    if (!EdgesAreOn())
-        return false;
-    state.link.byEdge.ofB = edge >= BMR_EDGES_OF_B32;
-    state.link.byEdge.number =
+    // (With Options::pairsBy no look asks this edge: it is the direction of the pair's line.)
+    state.edge.ofB = edge >= BMR_EDGES_OF_B32;
+    state.edge.number =
         static_cast<uint8_t>(edge == BMR_NO_EDGE32 ? kNoEdge : edge & (BMR_EDGES_OF_B32 - 1));
     return edge != BMR_NO_EDGE32;
 }
@@ -166,11 +153,11 @@ inline bool PolygonContact::EdgeSeparates(uint8_t number, bool ofB, const b2Tran
 }
 
 inline bool PolygonContact::EdgeSaysApart(const b2Transform &xfA, const b2Transform &xfB) const {
-    return EdgeSeparates(state.link.byEdge.number, state.link.byEdge.ofB, xfA, xfB);
+    return EdgeSeparates(state.edge.number, state.edge.ofB, xfA, xfB);
 }
 
 bmr_vec2 PolygonContact::KnownDirection() const {
-    const EdgeMemory &memory = state.link.byEdge;
+    const EdgeMemory &memory = state.edge;
     const bool ofB = memory.ofB;
     const b2Fixture *owner = ofB ? m_fixtureB : m_fixtureA;
     if (memory.isVertex || memory.number >= ShapeOf(owner).m_count)

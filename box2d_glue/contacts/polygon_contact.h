@@ -35,7 +35,7 @@ public:
     bmr_vec2 KnownDirection() const override;
 
     /// The edge that is asked first.
-    EdgeMemory *Memory() { return &state.link.byEdge; }
+    EdgeMemory *Memory() { return &state.edge; }
 
 private:
     PolygonContact() = default;

@@ -3,44 +3,35 @@
 
 #include <box2d/b2_world.h>
 
-#include "proofs/body_pair.h"
 #include "start/current_step.h"
+#include "start/settings.h"
 #include "world/ledger.h"
 #include "world/ledgers.h"
 
 namespace bmr {
 
-static_assert(alignof(BodyPair) > PairAndLife::kLife, "the two lowest bits of its address are zero");
-
 std::atomic<const void *> SolidContact::polygonVtable{nullptr}, SolidContact::convexVtable{nullptr};
 
 namespace {
 
-/// From a to b, of the line that keeps their two hulls apart; zero where that is two disks.
-bmr_vec2 DirectionOf(const BodyPair &pair) {
-    const bmr_pair &kinetic = pair.kinetic;
-    if (pair.verdict != BMR_APART || kinetic.state != BMR_PAIR_APART || kinetic.level == BMR_LEVEL_DISKS)
-        return {0.0, 0.0};
-    const bool ofA = kinetic.owner == 0;
-    const b2Rot &q = (ofA ? pair.a : pair.b)->body->GetTransform().q;
-    const bmr_pose turn = {{0.0, 0.0}, static_cast<double>(q.c), static_cast<double>(q.s)};
-    const float *const n = kinetic.certificate.normal;
-    const bmr_vec2 d = bmr_rotate(&turn, {static_cast<double>(n[0]), static_cast<double>(n[1])});
-    return ofA ? d : bmr_neg(d);
-}
-
-bool IsZero(bmr_vec2 d) {
-    return d.x == 0.0 && d.y == 0.0;
+Ledger *LedgerOf(const b2Contact &contact) {
+    return FindLedger(&contact.GetFixtureA()->GetBody()->GetWorld()->GetContactManager());
 }
 
 } // namespace
 
+bool SolidContact::HullsSayApart(const b2Transform &xfA, const b2Transform &xfB) const {
+    Ledger *const ledger = LedgerOf(*this);
+    const uint32_t number = ledger != nullptr ? ledger->NumberOf(this) : Ledger::kNone;
+    return number != Ledger::kNone && ledger->GetHullPairs().SayApart(number, *this, xfA, xfB);
+}
+
 bmr_vec2 SolidContact::GuessDirection() const {
-    const bmr_vec2 d = KnownDirection();
-    if (!IsZero(d) || state.pair == nullptr)
-        return d;
-    const bmr_vec2 ofHulls = DirectionOf(*state.pair);
-    return state.pair->a->body == m_fixtureA->GetBody() ? ofHulls : bmr_neg(ofHulls);
+    Ledger *const ledger = PairsAreHulls() ? LedgerOf(*this) : nullptr;
+    const HullPair *const pair =
+        ledger != nullptr ? ledger->GetHullPairs().Find(ledger->NumberOf(this)) : nullptr;
+    const bmr_vec2 ofHulls = pair != nullptr ? DirectionOf(*pair, *this) : bmr_vec2{0.0, 0.0};
+    return ofHulls.x != 0.0 || ofHulls.y != 0.0 ? ofHulls : KnownDirection();
 }
 
 bmr_vec32 GuessDirection(const b2Contact &contact) {
@@ -65,8 +56,7 @@ bmr_vec32 GuessDirection(const b2Contact &contact) {
 
 void SolidContact::IsLookedAtByOthers() const {
     GameRan() = true; // it may be the game that asks, in the midst of a call
-    const b2World *world = m_fixtureA->GetBody()->GetWorld();
-    if (Ledger *ledger = FindLedger(&world->GetContactManager()))
+    if (Ledger *ledger = LedgerOf(*this))
         ledger->Flag(this, 0);
 }
 

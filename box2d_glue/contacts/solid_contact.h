@@ -18,55 +18,12 @@
 
 namespace bmr {
 
-struct BodyPair;
-
-/// Part of a bmr_convex32_memory.
-struct VertexMemory {
-    uint16_t a, b;
-};
-
-constexpr uint32_t kStampMask = 0x7fffffff;
-
-/// The memory of a contact: what it needs to share a structure, and what it may remember besides.
-struct PairLink {
-    uint32_t stamp : 31;   ///< the pair's stamp when the hulls were last seen to hold this contact's fixtures
-    uint32_t excluded : 1; ///< at this stamp the hulls do not hold this contact's fixtures
-    union {
-        EdgeMemory byEdge;       ///< of a PolygonContact
-        VertexMemory byVertices; ///< of a ConvexContact
-    };
-};
-
-/// A pointer to a BodyPair, or nullptr. In the two lowest bits, which are zero in the address of one, is the
-/// contact's life.
-class PairAndLife {
-public:
-    PairAndLife() = default;
-    PairAndLife &operator=(BodyPair *pair) {
-        m_bits = reinterpret_cast<uintptr_t>(pair) | (m_bits & kLife);
-        return *this;
-    }
-    BodyPair *Get() const {
-        return reinterpret_cast<BodyPair *>(m_bits & ~kLife); // NOLINT(performance-no-int-to-ptr)
-    }
-    operator BodyPair *() const { return Get(); } // NOLINT(google-explicit-constructor)
-    BodyPair *operator->() const { return Get(); }
-
-    Life GetLife() const { return static_cast<Life>(m_bits & kLife); }
-    void SetLife(Life life) { m_bits = (m_bits & ~kLife) | static_cast<uintptr_t>(life); }
-
-    static constexpr uintptr_t kLife = 3;
-
-private:
-    uintptr_t m_bits = 0;
-};
-
 /// Our data of a contact, besides Box2D's: 16 bytes at most, for which Box2D's 224-byte block has room.
 struct ContactState {
-    PairAndLife pair; ///< the structure it shares with the other contacts of its two bodies
+    Life life;
     union {
-        PairLink link;               ///< of a PolygonContact, and wherever there is a pair
-        bmr_convex32_memory closest; ///< of a ConvexContact without a pair
+        EdgeMemory edge;             ///< of a PolygonContact
+        bmr_convex32_memory closest; ///< of a ConvexContact
     };
 };
 static_assert(sizeof(ContactState) <= 16);
@@ -94,7 +51,7 @@ public:
         contact->*(&SolidContact::m_flags) &= ~uint32{e_filterFlag};
     }
 
-    /// Are both shapes polygons, of any size? Such contacts may share the structure of their bodies.
+    /// Are both shapes polygons, of any size?
     bool IsOfPolygons() const {
         return m_fixtureA->GetType() == b2Shape::e_polygon && m_fixtureB->GetType() == b2Shape::e_polygon;
     }
@@ -108,7 +65,7 @@ public:
     /// The direction that this contact remembers itself, in the world, from A to B. Zero if there is none.
     virtual bmr_vec2 KnownDirection() const = 0;
     /// A direction, in the world, from A to B, that most likely keeps the two apart: it was remembered at the
-    /// last look. Zero if there is none. For polygons alone.
+    /// last look, by the bodies' structure if it keeps them apart. Zero if there is none. For polygons alone.
     bmr_vec2 GuessDirection() const;
 
     /// Takes the result of a look at these poses into the contact's life, and reports the event, if it is
@@ -121,12 +78,6 @@ public:
     /// The same of a sensor's contact, behind its update by Box2D. `before`: GuessDirection() from ahead of
     /// it.
     void LiveAsSensor(bmr_vec2 before);
-
-    /// Call this before the first pair: the remembered vertices give way to the link.
-    void MakeRoomForPair() {
-        if (state.pair == nullptr && VtableOf(*this) == convexVtable.load(std::memory_order_relaxed))
-            state.link = {};
-    }
 
     /// An object's table of virtual functions, which tells contacts apart. Games build Box2D without run-time
     /// type information too, where typeid has nothing to look at; but the table is always an object's first
@@ -146,6 +97,10 @@ protected:
 
     /// Of the two classes, from before the first contact of each is made; nullptr until then.
     static std::atomic<const void *> polygonVtable, convexVtable;
+
+    /// With Options::pairsBy, for two solid polygons: does the structure of their bodies prove them apart at
+    /// these poses?
+    bool HullsSayApart(const b2Transform &xfA, const b2Transform &xfB) const;
 
     /// Evaluate was called: not by a pass of ours, but by Box2D or by the game. The contact's record in the
     /// ledger is due.

@@ -19,7 +19,7 @@
 ///
 /// Three more are for the project's own tests and its testbed; pages for games do not have them:
 ///
-///     BOOMERANG_PAIRS_BY=free-direction|...        a name of bmr_structure_name: it holds every pair
+///     BOOMERANG_PAIRS_BY=free-direction|...        Options::pairsBy, by bmr_structure_name
 ///     BOOMERANG_COUNTS=FILE                        what was counted, when the process ends
 ///     BOOMERANG_EVERYWHERE=on|off                  budgets of motion also where they cost more than they
 ///     save

@@ -22,18 +22,18 @@ bool MakeSettings(const Options &options, const char *whyNoPass) {
     made.made = true;
     made.options = options;
     made.whyNoPass = whyNoPass;
+    if (whyNoPass != nullptr)
+        made.options.pairsBy.reset(); // structures are kept by the table of pairs, which passes have
     made.options.statistics =
         options.statistics || options.onEvent != nullptr || AnswersAreObserved() || CountsAreWanted();
     made.pairDef = bmr_default_pair_def();
-    const std::optional<bmr_structure> pairsBy = StructureOfEnvironment();
-    made.remembersEdges = !pairsBy;
     made.everywhere = EverywhereOfEnvironment();
-    made.pairDef.structure = pairsBy.value_or(BMR_FREE_DIRECTION);
+    made.pairDef.structure = made.options.pairsBy.value_or(BMR_FREE_DIRECTION);
     made.pairDef.hysteresis = kHysteresis;
     made.compass = nullptr;
-    if (made.pairDef.structure == BMR_LAZY_COMPASS) {
+    if (made.options.pairsBy == BMR_LAZY_COMPASS) {
         bmr_compass *compass = nullptr;
-        if (bmr_compass_create(kMostHullVertices, nullptr, &compass) != BMR_OK)
+        if (bmr_compass_create(kMostCompassVertices, nullptr, &compass) != BMR_OK)
             return false;
         made.compass = compass; // for as long as the process lives: hulls of every world point to it
     }

@@ -17,12 +17,10 @@ namespace bmr {
 struct Settings {
     bool made = false; ///< has Install decided? (Contacts of big ConvexShapes do not wait for it.)
     Options options = {};
-    /// Do contacts remember edges, which are asked ahead of a structure of hulls? Not where
-    /// BOOMERANG_PAIRS_BY has every pair held by a structure of the paper.
-    bool remembersEdges = true;
     bool everywhere = false;   ///< BOOMERANG_EVERYWHERE
-    bmr_pair_def pairDef = {}; ///< structure and hysteresis; the margin is each pair's own
-    /// Directions for hulls of up to kMostHullVertices vertices; NULL where not needed.
+    /// Of Options::pairsBy: structure and hysteresis; the margin is each pair's own.
+    bmr_pair_def pairDef = {};
+    /// Directions for hulls of up to kMostCompassVertices vertices; NULL where not needed.
     const bmr_compass *compass = nullptr;
     /// Why no pass of ours runs; nullptr where passes run.
     const char *whyNoPass = nullptr;
@@ -90,14 +88,18 @@ inline bool Verifying() {
 }
 
 /// Is nothing left to Box2D because it would cost more here than it saves? So it is where answers are
-/// counted, told of or compared: a small world's, or one's that moves too much, would not be.
+/// counted, told of or compared, and where structures of hulls are asked for: a small world's, or one's that
+/// moves too much, would not be.
 inline bool WorksEverywhere() {
     const Options &options = GetSettings().options;
-    return GetSettings().everywhere || options.statistics || options.mode == Mode::Verify;
+    return GetSettings().everywhere || options.statistics || options.mode == Mode::Verify ||
+           options.pairsBy.has_value();
 }
 
-inline bool EdgesAreOn() {
-    return GetSettings().remembersEdges;
+/// Does a structure of the paper hold each pair of bodies (Options::pairsBy), where else each contact has a
+/// line of its own?
+inline bool PairsAreHulls() {
+    return GetSettings().options.pairsBy.has_value();
 }
 
 /// Takes the options over; called once, by Install. False without memory for the compass table.

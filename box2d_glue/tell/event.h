@@ -9,7 +9,7 @@ namespace bmr {
 
 /// How one evaluation of two polygons was answered. Those before HandedOver needed no manifold.
 enum class Answer : int32_t {
-    ApartByPair,   ///< the kinetic structure of their bodies (or of the two) proves them apart
+    ApartByPair,   ///< the kinetic structure of their bodies proves them apart (Options::pairsBy)
     ApartByEdge,   ///< the edge that their contact remembers does; of a big ConvexShape its vertices
     ApartBySearch, ///< an edge, or the direction of a big one, was found, and is remembered from now on
     HandedOver,    ///< not known to be apart: a manifold was needed

@@ -10,13 +10,13 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 
-#include "contacts/pair_registry.h"
 #include "contacts/polygon_contact.h"
-#include "proofs/body_pair.h"
 #include "proofs/face_gap.h"
 #include "proofs/polygon_view.h"
 #include "start/reach.h"
 #include "start/settings.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
 
 namespace bmr {
 
@@ -52,12 +52,12 @@ uint32_t LevelOf(const bmr_hierarchy &hierarchy, int32_t level) {
     return std::min(static_cast<uint32_t>(std::max(level, 0)), bmr_hierarchy_depth(&hierarchy));
 }
 
-void FillDisks(const BodyPair &pair, const bmr_pair &kinetic, ProofSide *a, ProofSide *b, Proof *proof) {
+void FillDisks(const HullPair &pair, const bmr_pair &kinetic, ProofSide *a, ProofSide *b, Proof *proof) {
     proof->kind = ProofKind::Disks;
     SetSupport(a, FromCertificate(kinetic.certificate.normal));
     SetSupport(b, FromCertificate(kinetic.certificate.window[0]));
-    a->diskRadius = static_cast<float>(pair.a->shape.polygon->radius);
-    b->diskRadius = static_cast<float>(pair.b->shape.polygon->radius);
+    a->diskRadius = static_cast<float>(pair.a->Shape().polygon->radius);
+    b->diskRadius = static_cast<float>(pair.b->Shape().polygon->radius);
 }
 
 /// The pair remembers which vertex of the other was the nearest when the direction was taken; by now it may
@@ -88,45 +88,39 @@ void FillEdgeLine(const bmr_hierarchy &own, const bmr_hierarchy &others, const b
     SetSupport(other, Float(bmr_hierarchy_corner_point(&others, facing)));
 }
 
-/// The proof of a kinetic structure at its bodies' poses; false: it proves nothing.
-bool FillFromPair(const BodyPair &pair, Proof *proof) {
-    const b2Body *bodyOfA = proof->a.body;
-    const bool swapped = pair.a->body != bodyOfA;
-    ProofSide *sides[2] = {swapped ? &proof->b : &proof->a, swapped ? &proof->a : &proof->b};
+/// With Options::pairsBy: the proof of the bodies' structure at their poses. False if it proves nothing.
+bool AskHulls(const b2Contact &contact, Proof *proof) {
+    Ledger *const ledger = FindLedger(&contact.GetFixtureA()->GetBody()->GetWorld()->GetContactManager());
+    const HullPair *const pair =
+        ledger != nullptr ? ledger->GetHullPairs().Find(ledger->NumberOf(&contact)) : nullptr;
     double gap = 0.0;
-    const bmr_pair kinetic =
-        KineticPairAt(pair, sides[0]->body->GetTransform(), sides[1]->body->GetTransform(), &gap);
+    const bmr_pair kinetic = pair != nullptr ? KineticPairNow(*pair, &gap) : bmr_pair{};
     if (!(gap > 0.0))
         return false;
-    const Hull *hulls[2] = {pair.a, pair.b};
+    const bool swapped = pair->IsSwapped(contact);
+    ProofSide *sides[2] = {swapped ? &proof->b : &proof->a, swapped ? &proof->a : &proof->b};
+    const Hull *hulls[2] = {pair->a, pair->b};
     for (int i = 0; i < 2; ++i)
-        sides[i]->fixture = hulls[i]->fixture;
+        sides[i]->fixture = hulls[i]->Fixture();
     const int owner = kinetic.owner;
     if (kinetic.level == BMR_LEVEL_DISKS) {
-        FillDisks(pair, kinetic, sides[0], sides[1], proof);
+        FillDisks(*pair, kinetic, sides[0], sides[1], proof);
     } else {
         const Hull &own = *hulls[owner], &others = *hulls[1 - owner];
-        if (HierarchyOf(own) == nullptr || HierarchyOf(others) == nullptr || kinetic.free != 0)
-            FillDirection(*own.shape.polygon, *others.shape.polygon, kinetic, sides[owner], sides[1 - owner],
-                          proof);
+        if (own.Hierarchy() == nullptr || others.Hierarchy() == nullptr || kinetic.free != 0)
+            FillDirection(*own.Shape().polygon, *others.Shape().polygon, kinetic, sides[owner],
+                          sides[1 - owner], proof);
         else
-            FillEdgeLine(*HierarchyOf(own), *HierarchyOf(others), kinetic, sides[owner], sides[1 - owner],
+            FillEdgeLine(*own.Hierarchy(), *others.Hierarchy(), kinetic, sides[owner], sides[1 - owner],
                          proof);
         proof->normal = FromCertificate(kinetic.certificate.normal);
         proof->ownerIsB = (owner == 1) != swapped;
     }
     proof->slack = Slack(gap);
     // Has the advance changed anything? Bits will do. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
-    proof->remembered = std::memcmp(&kinetic, &pair.kinetic, sizeof kinetic) == 0;
-    proof->structure = &pair;
+    proof->remembered = std::memcmp(&kinetic, &pair->kinetic, sizeof kinetic) == 0;
+    proof->structure = pair;
     return true;
-}
-
-bool AskPairs(const SolidContact &contact, Proof *proof) {
-    const BodyPair *pair = contact.state.pair;
-    if (pair == nullptr || contact.state.link.stamp != StampOf(*pair) || contact.state.link.excluded)
-        return false;
-    return (pair->parent != nullptr && FillFromPair(*pair->parent, proof)) || FillFromPair(*pair, proof);
 }
 
 const b2PolygonShape &ShapeOf(const b2Fixture &fixture) {
@@ -161,7 +155,7 @@ bool AskEdge(const FaceGap &gap, const b2Fixture &owner, const b2Fixture &other,
 }
 
 bool AskRememberedEdge(const PolygonContact &contact, Proof *proof) {
-    const EdgeMemory &memory = contact.state.link.byEdge;
+    const EdgeMemory &memory = contact.state.edge;
     const bool ofB = memory.ofB;
     const b2Fixture &owner = ofB ? *contact.GetFixtureB() : *contact.GetFixtureA();
     const b2Fixture &other = ofB ? *contact.GetFixtureA() : *contact.GetFixtureB();
@@ -179,14 +173,9 @@ bool SearchEdge(const b2Contact &contact, Proof *proof) {
 
 /// In the order of PolygonContact::Ask, and of ConvexContact's, which remembers vertices and no edge.
 void Ask(const SolidContact &contact, const PolygonContact *ofSmall, Proof *proof) {
-    const bool pairFirst = contact.state.pair != nullptr && contact.state.pair->verdict == BMR_APART;
-    if (pairFirst && AskPairs(contact, proof))
-        return;
-    if (ofSmall != nullptr && EdgesAreOn() && AskRememberedEdge(*ofSmall, proof))
-        return;
-    if (!pairFirst && AskPairs(contact, proof))
-        return;
-    if (ofSmall == nullptr || EdgesAreOn())
+    if (PairsAreHulls())
+        AskHulls(contact, proof);
+    else if (ofSmall == nullptr || !AskRememberedEdge(*ofSmall, proof))
         SearchEdge(contact, proof);
 }
 
@@ -261,14 +250,14 @@ Proof Inspect(const b2Body *bodyA, const b2Body *bodyB) {
 }
 
 int32_t InspectHull(const Proof &proof, bool ofB, int32_t level, b2Vec2 *vertices, int32_t capacity) {
-    const auto *pair = static_cast<const BodyPair *>(proof.structure);
+    const auto *pair = static_cast<const HullPair *>(proof.structure);
     if (pair == nullptr)
         return 0;
     const b2Body *body = ofB ? proof.b.body : proof.a.body;
-    const Hull &hull = pair->a->body == body ? *pair->a : *pair->b;
-    const bmr_hierarchy *hierarchy = HierarchyOf(hull);
+    const Hull &hull = pair->a->Body() == body ? *pair->a : *pair->b;
+    const bmr_hierarchy *hierarchy = hull.Hierarchy();
     if (hierarchy == nullptr || level == kHullLevel)
-        return CopyVertices(*hull.shape.polygon, vertices, capacity);
+        return CopyVertices(*hull.Shape().polygon, vertices, capacity);
     return CopyEnvelope(*hierarchy, LevelOf(*hierarchy, level), vertices, capacity);
 }
 

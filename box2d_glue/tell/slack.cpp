@@ -5,13 +5,9 @@
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_collision.h>
-#include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 
 #include "boomerang/box2d_glue.h"
-#include "contacts/pair_registry.h"
-#include "contacts/solid_contact.h"
-#include "proofs/body_pair.h"
 #include "proofs/face_gap.h"
 #include "proofs/polygon_view.h"
 #include "start/reach.h"
@@ -43,43 +39,14 @@ double BoxGap(const b2AABB &a, const b2AABB &b, double rounding) {
     return std::hypot(x, y);
 }
 
-b2Contact *ContactOf(const b2Fixture &a, const b2Fixture &b) {
-    for (const b2ContactEdge *edge = a.GetBody()->GetContactList(); edge != nullptr; edge = edge->next) {
-        const b2Contact *contact = edge->contact;
-        if ((contact->GetFixtureA() == &a && contact->GetFixtureB() == &b) ||
-            (contact->GetFixtureA() == &b && contact->GetFixtureB() == &a))
-            return edge->contact;
-    }
-    return nullptr;
-}
-
-/// The gap that the kinetic structures of a contact prove; 0 without any.
-double StructureGap(const b2Fixture &a, const b2Fixture &b) {
-    b2Contact *contact = ContactOf(a, b);
-    SolidContact *ours = contact != nullptr ? SolidContact::AsOurs(contact) : nullptr;
-    if (ours == nullptr || ours->state.pair == nullptr ||
-        ours->state.link.stamp != StampOf(*ours->state.pair) || ours->state.link.excluded)
-        return 0.0;
-    double gap = 0.0;
-    for (const BodyPair *pair = ours->state.pair; pair != nullptr; pair = pair->parent) {
-        const b2Fixture &first = pair->a->body == a.GetBody() ? a : b, &second = &first == &a ? b : a;
-        // Vertices may have been edited in place since the last step.
-        if (!HullHolds(*pair->a, first) || !HullHolds(*pair->b, second))
-            continue;
-        gap = std::max(
-            gap, CertifiedGap(*pair, first.GetBody()->GetTransform(), second.GetBody()->GetTransform()));
-    }
-    return gap;
-}
-
-/// Each of the three is a lower bound of the distance: the boxes hold the shapes and their skins, the face is
+/// Each of them is a lower bound of the distance: the boxes hold the shapes and their skins, the face is
 /// one direction of all.
 double FixtureGap(const b2Fixture &a, const b2Fixture &b) {
     b2AABB boxA, boxB;
     a.GetShape()->ComputeAABB(&boxA, a.GetBody()->GetTransform(), 0);
     b.GetShape()->ComputeAABB(&boxB, b.GetBody()->GetTransform(), 0);
     return std::max({BoxGap(boxA, boxB, BoxRounding(a) + BoxRounding(b)), LargestFaceGap(a, b).proved,
-                     LargestFaceGap(b, a).proved, StructureGap(a, b)});
+                     LargestFaceGap(b, a).proved});
 }
 
 bool IsSolidPolygon(const b2Fixture *fixture) {
@@ -100,11 +67,6 @@ float CertifiedSlack(const b2Body *bodyA, const b2Body *bodyB) {
         }
     }
     return std::isfinite(least) ? std::nextafterf(static_cast<float>(least), 0.0f) : 0.0f;
-}
-
-void Invalidate(b2Body *body) {
-    if (body != nullptr)
-        InvalidateBody(body);
 }
 
 void internal::LinkOfSlack() {}

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "base/private_members.h"
+#include "start/settings.h"
 
 namespace bmr {
 
@@ -26,6 +27,8 @@ void Ledger::Reserve(uint32_t count) {
     m_owed.Reserve(count);
     m_listed.Reserve(count);
     m_marks.Reserve(count);
+    if (PairsAreHulls())
+        m_hullPairs.Reserve(count);
 }
 
 bool Ledger::Follow() {
@@ -86,6 +89,7 @@ void Ledger::Empty() {
     GiveMarksBack();
     m_movers.Clear();
     m_proxyPairs.Empty();
+    m_hullPairs.Clear();
     m_withoutDynamic = false;
     m_unlisted = 0;
     m_count = 0;
@@ -140,6 +144,7 @@ void Ledger::Take(uint32_t i) {
         Unwatch(i);
     m_touching.Clear(i);
     m_proxyPairs.Remove(i);
+    m_hullPairs.End(i);
     m_movers.Release(m_records[i].a);
     m_movers.Release(m_records[i].b);
     m_contacts[i] = nullptr;
@@ -211,6 +216,7 @@ void Ledger::Compact() {
         m_lines[to] = m_lines[from];
         m_bits[to] = m_bits[from];
         m_proxyPairs.Renumber(from, to);
+        m_hullPairs.Renumber(from, to);
         m_patience[to] = m_patience[from];
         m_marks.Renumber(from, to);
         for (BitColumn *column : {&m_awake, &m_touching, &m_stops})

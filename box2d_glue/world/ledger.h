@@ -15,6 +15,7 @@
 #include "boomerang/budget.h"
 #include "world/bodies.h"
 #include "world/contact_number.h"
+#include "world/hull_pairs.h"
 #include "world/marks.h"
 #include "world/movers.h"
 #include "world/owed_enabling.h"
@@ -91,6 +92,8 @@ public:
         return number < m_count && m_contacts[number] == contact ? number : kNone;
     }
 
+    /// The structures of Options::pairsBy; empty without it.
+    HullPairs &GetHullPairs() { return m_hullPairs; }
     /// Good where IsWhole.
     const ProxyPairs &GetProxyPairs() const { return m_proxyPairs; }
 
@@ -327,6 +330,7 @@ private:
     Column<uint8_t> m_bits;
     Column<Patience> m_patience;
     Marks m_marks;
+    HullPairs m_hullPairs;
     BitColumn m_awake;    ///< alive, and one of its bodies was awake
     BitColumn m_touching; ///< alive, and touching at the last look
     /// One of the two is not to be tunnelled through, as far as anybody knows. Without it both are watched,

@@ -20,9 +20,10 @@ class Ledger;
 
 /// So many contacts are worth a ledger. In worlds of fewer, looking at what touches costs less than the
 /// ledger does, whose code and memory a game's own work has put out of the caches between two steps. Where
-/// the plugin is to work everywhere it is not asked what anything costs.
+/// the plugin is to work everywhere it is not asked what anything costs. Structures of hulls are kept in the
+/// ledger, so that the first contact makes one.
 inline int WorthALedgerAnyway() {
-    return WorksEverywhere() ? 8 : 48;
+    return PairsAreHulls() ? 1 : WorksEverywhere() ? 8 : 48;
 }
 
 namespace internal {

@@ -9,6 +9,7 @@
 
 #include "base/private_members.h"
 #include "shapes/convex_geometry.h"
+#include "shapes/digest.h"
 #include "shapes/side_normals.h"
 #include "start/settings.h"
 
@@ -25,29 +26,6 @@ bmr_pose PoseOf(const b2Body &body) {
 
 bmr_vec2 Double(const b2Vec2 &v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
-
-uint64_t WordOf(const b2Vec2 &v) {
-    uint64_t word;
-    std::memcpy(&word, &v, sizeof word);
-    return word;
-}
-
-/// All that contacts of a polygon read of it, in one number: skin, vertices and normals, or which big one it
-/// is. Two different ones have the same with a probability of 2^-64. Two sums, so that neither waits for the
-/// other.
-uint64_t DigestOf(const b2PolygonShape &polygon) {
-    constexpr uint64_t kFirst = 0x9e3779b97f4a7c15u, kSecond = 0xc2b2ae3d27d4eb4fu;
-    const uint64_t start = WordOf(b2Vec2(polygon.m_radius, static_cast<float>(polygon.m_count)));
-    uint64_t first = start, second = AnyBigPolygon() ? NumberOfBigPolygon(polygon) : 0;
-    const int32 count = std::clamp<int32>(polygon.m_count, 0, b2_maxPolygonVertices);
-    for (int32 i = 0; i < count; ++i) {
-        first = (first ^ WordOf(polygon.m_vertices[i])) * kFirst;
-        first ^= first >> 32;
-        second = (second ^ WordOf(polygon.m_normals[i])) * kSecond;
-        second ^= second >> 32;
-    }
-    return first * kSecond ^ second;
 }
 
 uint64_t KeyOf(const b2Fixture *fixture) {

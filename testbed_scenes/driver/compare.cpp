@@ -251,6 +251,13 @@ void Measure(const Workers &workers, const CompareOptions &options, SceneResult 
     result.pluginCount =
         workers.Summarise(RequestFor(Side::Plugin, result, options, "count"), options.worker, tick);
     progress.Finish();
+    if (!options.worker.structure.empty()) {
+        WorkerOptions asGamesHaveIt = options.worker;
+        asGamesHaveIt.structure.clear();
+        result.linesCount =
+            workers.Summarise(RequestFor(Side::Plugin, result, options, "count"), asGamesHaveIt, tick);
+        progress.Finish();
+    }
     if (!options.time)
         return;
     for (int i = 0; i < options.repeat; ++i) {
@@ -287,8 +294,8 @@ int RunsPerScene(const Workers &workers, const CompareOptions &options) {
     if (options.verify)
         return 1;
     constexpr int kHashing = 1; // all sides run at once
-    constexpr int kCounting = 2;
-    return kHashing + kCounting + (options.time ? TimedSides(workers) * options.repeat : 0);
+    const int counting = options.worker.structure.empty() ? 2 : 3;
+    return kHashing + counting + (options.time ? TimedSides(workers) * options.repeat : 0);
 }
 
 const Variant *FindVariant(const SceneResult &result, Side side) {

@@ -64,6 +64,7 @@ struct SceneResult {
     nlohmann::json verifyCount;             ///< summary of the verifying run; null where there was none
     std::string verifyWords;                ///< what the plugin said of the first difference
     nlohmann::json stockCount, pluginCount; ///< summaries of the counting runs; null where there were none
+    nlohmann::json linesCount;              ///< with --structure: of one as games have it
     /// Summaries of the timed runs, paired by index. (The accelerated Box2D's: where there is one.)
     std::vector<nlohmann::json> stockTimes, pluginTimes, acceleratedTimes;
 };

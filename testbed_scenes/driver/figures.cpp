@@ -84,6 +84,12 @@ void Figures::AddCounts(const SceneResult &result) {
             Add(std::string(side) + "." + call + "_per_step",
                 Scaled(NumberAt(count, std::string("/") + call), 1.0 / steps));
     }
+    std::optional<double> tests = 0.0;
+    for (const char *call : {"polygon_tests", "overlap_calls", "toi_calls"}) {
+        const std::optional<double> some = NumberAt(result.stockCount, std::string("/") + call);
+        tests = tests && some ? *tests + *some : std::optional<double>();
+    }
+    Add("stock.tests_per_step", Scaled(tests, 1.0 / steps));
     // The share of the tests that told stock nothing but "apart" and that a certificate answered. (What is
     // left the plugin searches itself, so that its calls of b2CollidePolygons would not tell.)
     const std::optional<double> stock = NumberAt(result.stockCount, "/polygon_tests_apart");
@@ -103,11 +109,10 @@ void Figures::AddEvents(const SceneResult &result) {
         Add(name, Scaled(NumberAt(result.pluginCount, "/plugin/" + pointer), perStep));
     };
     const std::optional<double> edges = NumberAt(result.pluginCount, "/plugin/edge_checks");
-    const std::optional<double> kinetic = NumberAt(result.pluginCount, "/plugin/hull_checks");
-    Add("checks.all_per_step",
-        edges && kinetic ? Scaled(*edges + *kinetic, perStep) : std::optional<double>());
+    const std::optional<double> hulls = NumberAt(result.pluginCount, "/plugin/hull_checks");
+    Add("checks.all_per_step", edges && hulls ? Scaled(*edges + *hulls, perStep) : std::optional<double>());
     Add("checks.edge_per_step", Scaled(edges, perStep));
-    Add("checks.kinetic_per_step", Scaled(kinetic, perStep));
+    Add("checks.hulls_per_step", Scaled(hulls, perStep));
     const std::optional<double> pairs = NumberAt(result.pluginCount, "/plugin/pairs");
     const std::optional<double> looks = NumberAt(result.pluginCount, "/plugin/looks");
     add("ledger.pairs_per_step", "pairs");
@@ -116,14 +121,22 @@ void Figures::AddEvents(const SceneResult &result) {
     Add("ledger.looks_percent", looks && pairs ? Quotient(100.0 * *looks, pairs) : std::optional<double>());
     add("plugin.verdicts_reused_per_step", "verdicts_reused");
     add("plugin.proved_apart_per_step", "proved_apart");
-    std::optional<double> all = 0.0;
+    const auto ofLines = [&](const std::string &name) {
+        return NumberAt(result.linesCount, "/plugin/" + name);
+    };
+    for (const char *count : {"pairs", "looks", "renewals"})
+        Add(std::string("lines.") + count + "_per_step", Scaled(ofLines(count), perStep));
+    std::optional<double> all = 0.0, lines = 0.0;
     for (const char *event : {"start", "stab", "push", "roll", "coarsen", "contact", "leave"}) {
+        const std::optional<double> ofLine = ofLines(std::string("events/") + event);
+        lines = lines && ofLine ? *lines + *ofLine : std::optional<double>();
         const std::optional<double> count =
             NumberAt(result.pluginCount, std::string("/plugin/events/") + event);
         Add(std::string("events.") + event + "_per_step", Scaled(count, perStep));
         all = all && count ? *all + *count : std::optional<double>();
     }
     Add("events.all_per_step", Scaled(all, perStep));
+    Add("lines.events_per_step", Scaled(lines, perStep));
     Add("events.all_percent", all && pairs ? Quotient(100.0 * *all, pairs) : std::optional<double>());
     add("events.hand_over_per_step", "handed_over");
     Add("verify.compared", NumberAt(result.verifyCount, "/plugin/verified"));
@@ -200,7 +213,7 @@ const SceneTable &BudgetTable() {
             "nobody "
             "read",
             "looks: whose contact or shapes were read; of all others nothing but a deadline was",
-            "events: certificates made, replaced and given up, the hulls' among them; %: of the pairs",
+            "events: certificates made, replaced and given up; %: of the pairs",
         }};
     return table;
 }
@@ -210,7 +223,7 @@ const SceneTable &EventTable() {
         "What the plugin did instead, per step",
         {
             {"certificate checks", "edge", "checks.edge_per_step", 1},
-            {"certificate checks", "kinetic", "checks.kinetic_per_step", 1},
+            {"certificate checks", "hulls", "checks.hulls_per_step", 1},
             {"events", "start", "events.start_per_step", 2},
             {"events", "stab", "events.stab_per_step", 2},
             {"events", "push", "events.push_per_step", 2},
@@ -223,13 +236,35 @@ const SceneTable &EventTable() {
             {"answers", "hand-over", "events.hand_over_per_step", 1},
         },
         {
-            "edge: one remembered edge asked again; search: all edges, when it failed; kinetic: a body "
-            "pair's "
-            "certificate asked again",
+            "edge: one remembered edge asked again; search: all edges, when it failed; hulls: of --structure",
             "start, stab, push, roll, coarsen: the life of a certificate; contact: its end, the exact test "
             "is asked; leave: a new one",
-            "apart: proved, without Box2D; reused: of those, by what was found at the same poses before; "
-            "hand-over: the exact test",
+            "apart: proved, without Box2D; reused: of those, at the same poses (--structure); hand-over: the "
+            "exact test",
+        }};
+    return table;
+}
+
+const SceneTable &ModeTable() {
+    static const SceneTable table = {
+        "Events of both modes beside Box2D's own distance calls, per step",
+        {
+            {"stock Box2D", "tests", "stock.tests_per_step", 1},
+            {"stock Box2D", "b2Distance", "stock.distance_calls_per_step", 1},
+            {"a line a contact", "pairs", "lines.pairs_per_step", 1},
+            {"a line a contact", "renewed", "lines.renewals_per_step", 1},
+            {"a line a contact", "looks", "lines.looks_per_step", 1},
+            {"a line a contact", "events", "lines.events_per_step", 2},
+            {"a structure a pair of bodies", "looks", "ledger.looks_per_step", 1},
+            {"a structure a pair of bodies", "checks", "checks.hulls_per_step", 1},
+            {"a structure a pair of bodies", "events", "events.all_per_step", 2},
+            {"a structure a pair of bodies", "exact", "events.hand_over_per_step", 1},
+        },
+        {
+            "tests: b2CollidePolygons, b2TestOverlap and b2TimeOfImpact; b2Distance: within the last two",
+            "a line a contact: as games have it; its failure time is bounded instead of computed",
+            "a structure a pair of bodies: --structure; checks: its certificates, asked",
+            "exact: contact points computed, because a stab reached the hulls or because the two touched",
         }};
     return table;
 }

@@ -54,6 +54,7 @@ struct SceneTable {
 const SceneTable &TestTable();   ///< separation tests, stock against plugin
 const SceneTable &BudgetTable(); ///< which pairs were looked at
 const SceneTable &EventTable();  ///< what the plugin did instead
+const SceneTable &ModeTable();   ///< with --structure: its events beside those of lines, and Box2D's calls
 const SceneTable &VerifyTable(); ///< every answer held beside Box2D's
 /// Times; medians of so many runs.
 /// `accelerated`: with columns of a Box2D that was compiled with the plugin.

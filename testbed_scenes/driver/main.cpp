@@ -31,9 +31,10 @@ struct CommandLine {
 
 void AddPluginOptions(CLI::App &app, WorkerOptions &worker,
                       const std::vector<std::string> &structures = {"lazy-compass", "lazy-dudley",
-                                                                    "free-direction"}) {
+                                                                    "free-direction", "two-lines"}) {
     app.add_option("--structure", worker.structure,
-                   "The structure of the paper that holds every pair (default: as games have it)")
+                   "The structure of the paper that holds each pair of bodies (default: a line a contact, as "
+                   "games have it)")
         ->check(CLI::IsMember(structures));
 }
 

@@ -233,6 +233,8 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
         return;
     }
     std::vector<SceneTable> tables = {TestTable(), BudgetTable(), EventTable()};
+    if (!options.worker.structure.empty())
+        tables.push_back(ModeTable());
     if (options.time)
         tables.push_back(times);
     for (const SceneTable &table : tables)
@@ -321,6 +323,8 @@ void WriteMarkdown(std::ostream &out, const std::vector<SceneResult> &results,
     }
     for (const SceneTable *table : {&TestTable(), &BudgetTable(), &EventTable()})
         write(*table);
+    if (!options.worker.structure.empty())
+        write(ModeTable());
 }
 
 } // namespace testbed

@@ -71,18 +71,21 @@ bool IsToldToBeOff() {
 } // namespace
 
 void AddPluginOptions(CLI::App &app, PluginOptions &options) {
-    app.add_option("--structure", options.structure, "The structure of the paper that holds every pair")
+    app.add_option("--structure", options.structure,
+                   "The structure of the paper that holds each pair of bodies (bmr::Options::pairsBy)")
         ->envname("BOOMERANG_PAIRS_BY")
-        ->option_text("lazy-compass|lazy-dudley|free-direction")
-        ->check(CLI::IsMember({"lazy-compass", "lazy-dudley", "free-direction"}).description(""));
+        ->option_text("lazy-compass|lazy-dudley|free-direction|two-lines")
+        ->check(
+            CLI::IsMember({"lazy-compass", "lazy-dudley", "free-direction", "two-lines"}).description(""));
     app.add_option("--trace", options.trace, "Write each event of each pair to this file, a line per event")
         ->option_text("FILE");
 }
 
 void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *told) {
     bmr::Options install;
-    if (!options.structure.empty())
-        setenv("BOOMERANG_PAIRS_BY", options.structure.c_str(), 1); // how the plugin is told
+    for (int i = 0; i < BMR_STRUCTURE_COUNT && !options.structure.empty(); ++i)
+        if (options.structure == bmr_structure_name(static_cast<bmr_structure>(i)))
+            install.pairsBy = static_cast<bmr_structure>(i);
     install.statistics = count || !options.trace.empty();
     observer = told;
     if (observer != nullptr)

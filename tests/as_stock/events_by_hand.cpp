@@ -138,15 +138,16 @@ void PlayBig(Run &run, Witness &witness) {
     Live(game, witness, body, kBig);
 }
 
-/// A plank of ten boxes on another one that has a post at its end: the hulls overlap where no two boxes do.
+/// With Options::pairsBy: a plank of ten boxes on another one that has a post at its end. The hulls overlap
+/// where no two boxes do, and are far apart beneath.
 const Life kMany = {
     {{0.0f, -0.3f}, "below it", "hulls start -1 0\n"},
-    {{0.0f, 0.3f}, "above it", "hulls contact 0 0\n28 x contact start -1 0\n"},
+    {{0.0f, 0.3f}, "above it", "hulls contact 0 0\n"},
     {{0.0f, -0.3f}, "below it", "hulls leave 0 0\n"},
-    {{0.0f, 0.19f}, "on it", "hulls contact 0 0\n28 x contact contact 0 0\n"},
-    {{0.0f, 0.4f}, "off it", "28 x contact leave 0 0\n"},
-    {{0.0f, 0.19f}, "on it", "28 x contact contact 0 0\n"},
-    {{0.0f, -0.3f}, "below it", "28 x contact leave 0 0\n"},
+    {{0.0f, 0.19f}, "on it", "hulls contact 0 0\n"},
+    {{0.0f, 0.4f}, "off it"},
+    {{0.0f, 0.19f}, "on it"},
+    {{0.0f, -0.3f}, "below it"}, // what touched is asked of Box2D, whose answer gives each contact a line
 };
 void PlayMany(Run &run, Witness &witness) {
     Heard game(run);
@@ -211,7 +212,8 @@ TEST_CASE("two big polygons live as the header says") {
     CHECK(EventsOf(Told(PlayBig)) == TextOf(kBig));
 }
 
-TEST_CASE("bodies of many fixtures have a structure of their hulls, and one for each contact below it") {
+TEST_CASE("with a structure of the paper two bodies have one, of their hulls" * doctest::skip(!kAhead)) {
+    const PairsBy by("free-direction");
     CHECK(EventsOf(Told(PlayMany)) == TextOf(kMany));
 }
 

@@ -33,7 +33,6 @@ AS_STOCK("polygons grow and shrink in place, past their boxes, with more and wit
             const float skin = polygon->m_radius;
             *polygon = Regular(count, radius);
             polygon->m_radius = skin;
-            Edited(run, couple.mover);
         }
         yard.game.Step();
         yard.game.Stage((yard.TouchingCouples() >= 4) == (round % 3 == 0), "the new shapes decide");
@@ -119,8 +118,6 @@ AS_STOCK("normals that are too long keep nobody from an impact") {
     bullet->SetSleepingAllowed(false);
     for (b2Vec2 &normal : static_cast<b2PolygonShape *>(side->GetShape())->m_normals)
         normal *= 3.0f;
-    if (run.HasPlugin())
-        bmr::Invalidate(wall);
     int stopped = 0;
     for (int round = 0; round < 40; ++round) {
         // It would come to rest so far in front of the wall.
@@ -147,8 +144,6 @@ AS_STOCK_HOW(kMayBeSilent, "a sensor's deepest vertex is gone, and its line keep
         *watched = Regular(static_cast<int32>(8 - round % 6), round % 4 == 3 ? 0.02f : 0.5f);
         *watching = Regular(static_cast<int32>(3 + (7 * round) % 6), round % 5 == 4 ? 0.2f : 1.0f);
         seen->SetTransform({0.45f * Real(round % 5), 0.3f}, 0.4f * Real(round));
-        Edited(run, seen);
-        Edited(run, eye);
         game.Step(2);
         ++both[game.world.GetContactList() != nullptr && game.world.GetContactList()->IsTouching()];
         // From corner to corner, where their boxes overlap: the contact goes on.

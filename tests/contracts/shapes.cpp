@@ -228,13 +228,6 @@ const Table kGlue("the glue", [] {
                 const char *name = bmr::NameOf(static_cast<bmr::ProofKind>(g[0]));
                 return name != nullptr ? name : "`NULL`";
             });
-    Refuses("Invalidate", {{"body", kAnother, Says("OK", {{"without fixtures", kWithoutFixtures}})}},
-            [](const Given &g) {
-                return Asked(g[0], [](b2Body *, b2Body *b) {
-                    bmr::Invalidate(b);
-                    return "OK";
-                });
-            });
     Answers("ConvexShape::RayCast", "hit",
             {{"from", -5, Says("no hit", {kNaN})},
              {"to", 5, Says("no hit", {kInfinity, {"where it is from", -5}})},

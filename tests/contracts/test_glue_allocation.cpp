@@ -59,8 +59,6 @@ void PlayPlanks(Run &run) {
         game.Step(20);
         auto *shape = static_cast<b2PolygonShape *>(above->GetFixtureList()->GetShape());
         shape->m_vertices[0] *= 1.01f;
-        if (run.HasPlugin())
-            bmr::Invalidate(above);
         game.Step(10);
         game.Fixture(game.Body(b2_staticBody, {0.0f, 1.0f}), *shape, true);
         game.Step(10);

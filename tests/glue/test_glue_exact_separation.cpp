@@ -2,7 +2,6 @@
 // What the glue says of distances against rational arithmetic: a slack is never above the true distance,
 // "apart" is apart and "overlapping" overlaps, at poses a unit in the last place from touching, ten
 // kilometres out, at any angle, of slivers and of polygons of hundreds of metres.
-#include <box2d/b2_block_allocator.h>
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>
 #include <box2d/box2d.h>
@@ -11,13 +10,13 @@
 #include "box2d_shapes.h"
 #include "cases.h"
 #include "exact_polygons.h"
-#include "proofs/body_pair.h"
 #include "proofs/face_gap.h"
 #include "proofs/overlap.h"
 #include "proofs/sweep_apart.h"
 #include "proofs/thresholds.h"
 #include "start/settings.h"
 #include "test_scale.h"
+#include "world/hull_pairs.h"
 
 namespace {
 
@@ -266,27 +265,27 @@ TEST_CASE(
     size_t apart = 0, wrong = 0, wrongIfMore = 0, beyond = 0;
     for (size_t i = 0; i < Rounds(300); ++i) {
         Couple t(engine);
-        b2BlockAllocator memory;
-        bmr::BodyPair *pair = bmr::CreateBodyPair(bmr::CreateHull(t.a, nullptr, &memory),
-                                                  bmr::CreateHull(t.b, nullptr, &memory), nullptr, &memory);
-        pair->references = 1;
-        const double margin = bmr::ContactMargin(double{pair->radiusSum});
+        bmr::Hull hullA(t.a, nullptr), hullB(t.b, nullptr);
+        bmr::HullPair pair;
+        pair.a = &hullA;
+        pair.b = &hullB;
+        const double margin = bmr::ContactMargin(double{hullA.Radius() + hullB.Radius()});
         // What Box2D's own rounding may take of it is left.
         const double proved = margin - bmr::kRoundingMargin;
         for (int step = 0; step < 6; ++step) {
             const double far = OneOf(engine, kFar);
             t.Put(engine, far, margin + OneOf(engine, {-1e-3, -1e-5, 0.0, 1e-5, 1e-3, 0.01, 1.0}));
             const Number truth = Truth(t.a, t.b);
-            const bool known = bmr::KnownApart(pair, t.a->GetTransform(), t.b->GetTransform());
-            pair->unasked = 0; // every pose is asked about
+            const bool known = bmr::KnownApart(&pair, t.a->GetTransform(), t.b->GetTransform());
             apart += known;
             wrong += known && !IsTrue(proved, truth);
             wrongIfMore += known && !IsTrue(proved + 0.002, truth);
             const b2Vec2 place = b2Abs(t.a->GetPosition());
             beyond += known && double{std::max(place.x, place.y)} > bmr::kReach;
-            gaps.Add(bmr::CertifiedGap(*pair, t.a->GetTransform(), t.b->GetTransform()), truth);
+            double gap = 0.0;
+            bmr::KineticPairNow(pair, &gap);
+            gaps.Add(gap, truth);
         }
-        bmr::ReleaseBodyPair(pair, &memory);
     }
     MESSAGE("apart ", apart, ", gaps ", gaps.claims);
     CHECK(apart > Rounds(300) / 2);

@@ -6,9 +6,6 @@
 #include "as_stock.h"
 #include "base/rounding_mode.h"
 #include "boomerang/convex_shape.h"
-#include "contacts/solid_contact.h"
-#include "proofs/body_pair.h"
-#include "proofs/hull.h"
 
 using namespace as_stock;
 
@@ -46,55 +43,6 @@ TEST_CASE("the mode decides what a step gives: what these tests compare can diff
     const std::string nearest = InChild([](Run &run) { AlwaysIn(run, FE_TONEAREST); });
     CHECK(Difference(nearest, nearest) == "");
     CHECK(Difference(nearest, InChild([](Run &run) { AlwaysIn(run, FE_UPWARD); })) != "");
-}
-
-namespace {
-
-/// Two wheels of so many corners that their hulls are envelopes, whose corners are computed. Prints the hulls
-/// that are built in one mode, and built again in another.
-template <int kBuilt, int kRebuilt> void Hulls(Run &run) {
-    Heard game(run);
-    bmr::ConvexShape wheel;
-    REQUIRE(wheel.SetRegular(100, 0.7f) == BMR_OK);
-    b2Body *body = nullptr;
-    for (const float x : {0.0f, 1.41f}) {
-        body = game.Body(b2_dynamicBody, {x, 0.0f}, 0.3f);
-        game.Fixture(body, wheel);
-    }
-    std::fesetround(kBuilt);
-    game.world.Step(1.0f / 60.0f, 8, 3);
-    std::fesetround(kRebuilt);
-    if (kBuilt != kRebuilt)
-        bmr::Invalidate(body);
-    std::fesetround(FE_TONEAREST);
-    const bmr::SolidContact *contact = bmr::SolidContact::AsOurs(game.world.GetContactList());
-    REQUIRE(contact != nullptr);
-    REQUIRE(contact->state.pair != nullptr);
-    for (const bmr::Hull *hull : {contact->state.pair->a, contact->state.pair->b}) {
-        const bmr_polygon &polygon = *hull->shape.polygon;
-        REQUIRE(polygon.count < 100);
-        for (uint32_t i = 0; i < polygon.count; ++i)
-            run.Print("%a %a", polygon.vertices[i].x, polygon.vertices[i].y);
-    }
-}
-
-std::string HullsOf(Scenario scenario) {
-    bmr::Options options;
-    const PairsBy by(BMR_FREE_DIRECTION); // each fixture has a hull
-    const std::string text = InChild(scenario, &options);
-    CHECK(Difference(text, text) == "");
-    return text;
-}
-
-} // namespace
-
-TEST_CASE("hulls are the same in whatever mode they are built") {
-    const std::string nearest = HullsOf(Hulls<FE_TONEAREST, FE_TONEAREST>);
-    CHECK(nearest.size() > 1000);
-    CHECK(Difference(nearest, HullsOf(Hulls<FE_UPWARD, FE_UPWARD>)) == "");
-    CHECK(Difference(nearest, HullsOf(Hulls<FE_DOWNWARD, FE_DOWNWARD>)) == "");
-    CHECK(Difference(nearest, HullsOf(Hulls<FE_TONEAREST, FE_UPWARD>)) == "");
-    CHECK(Difference(nearest, HullsOf(Hulls<FE_TONEAREST, FE_TOWARDZERO>)) == "");
 }
 
 TEST_CASE("polygons of many vertices are the same in whatever mode they are made") {

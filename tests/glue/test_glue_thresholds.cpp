@@ -5,10 +5,10 @@
 
 #include "box2d_shapes.h"
 #include "cases.h"
-#include "proofs/body_pair.h"
 #include "proofs/thresholds.h"
 #include "start/settings.h"
 #include "test_scale.h"
+#include "world/hull_pairs.h"
 
 namespace {
 
@@ -243,23 +243,22 @@ TEST_CASE("a side too short for a direction: Box2D gives points far away, and no
         b2CollidePolygons(&manifold, &needle, a->GetTransform(), &other, b->GetTransform());
         CHECK((manifold.pointCount > 0) == (side < FLT_EPSILON));
 
-        b2BlockAllocator memory;
-        bmr::Hull *hullA = bmr::CreateHull(a, nullptr, &memory),
-                  *hullB = bmr::CreateHull(b, nullptr, &memory);
-        bmr::BodyPair *pair = bmr::CreateBodyPair(hullA, hullB, nullptr, &memory);
-        pair->references = 1;
+        bmr::Hull hullA(a, nullptr), hullB(b, nullptr);
+        bmr::HullPair pair;
+        pair.a = &hullA;
+        pair.b = &hullB;
         if (side < FLT_EPSILON) {
-            CHECK(hullA->shape.polygon == nullptr); // contacts leave such a pair alone
-            CHECK_FALSE(bmr::HullHolds(*hullA, *a->GetFixtureList()));
+            CHECK(hullA.Shape().polygon == nullptr); // contacts leave such a pair alone
+            CHECK_FALSE(hullA.MakeHold(*a->GetFixtureList()));
         } else {
-            CHECK(bmr::KnownApart(pair, a->GetTransform(), b->GetTransform()));
+            CHECK(hullA.MakeHold(*a->GetFixtureList()));
+            CHECK(bmr::KnownApart(&pair, a->GetTransform(), b->GetTransform()));
         }
         // In place, inside of the hull of what it was.
         if (side > FLT_EPSILON) {
             *static_cast<b2PolygonShape *>(a->GetFixtureList()->GetShape()) = CutNeedle(1e-8f);
-            CHECK_FALSE(bmr::HullHolds(*hullA, *a->GetFixtureList()));
+            CHECK_FALSE(hullA.MakeHold(*a->GetFixtureList()));
         }
-        bmr::ReleaseBodyPair(pair, &memory);
     }
 }
 
@@ -273,13 +272,7 @@ TEST_CASE("normals of other sides: Box2D gives points far away, and no hull says
     a->CreateFixture(&box, 0.0f);
     b->CreateFixture(&box, 0.0f);
     b->SetTransform(b2Mul(b2Rot(0.7f), b2Vec2(0.0f, 3.0f)), 0.0f);
-    const auto hasHull = [](b2Body *body) {
-        b2BlockAllocator memory;
-        bmr::Hull *hull = bmr::CreateHull(body, nullptr, &memory);
-        const bool has = hull->shape.polygon != nullptr;
-        bmr::ReleaseHull(hull);
-        return has;
-    };
+    const auto hasHull = [](b2Body *body) { return bmr::Hull(body, nullptr).Shape().polygon != nullptr; };
     CHECK(hasHull(a)); // the control
     for (int kind = 0; kind < 6; ++kind) {
         CAPTURE(kind);

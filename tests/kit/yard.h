@@ -42,12 +42,6 @@ inline void Place(b2Body *body, b2Vec2 position) {
     body->SetTransform(position, body->GetAngle());
 }
 
-/// Vertices of the body's polygons were changed in place: the glue alone is told.
-inline void Edited(const Run &run, b2Body *body) {
-    if (!kAhead && run.HasPlugin())
-        bmr::Invalidate(body);
-}
-
 inline b2PolygonShape *PolygonOf(b2Fixture *fixture) {
     return fixture->GetType() == b2Shape::e_polygon ? static_cast<b2PolygonShape *>(fixture->GetShape())
                                                     : nullptr;
@@ -63,7 +57,7 @@ public:
     // of a sensor's overlap; directions that no impact was along.
     enum { kPlanks, kBoxes, kOctagon, kSensor, kBullet, kChain, kCount };
 
-    explicit Yard(Run &run, b2Vec2 gravity = {0.0f, 0.0f}) : game(run, gravity), m_run(run) {
+    explicit Yard(Run &run, b2Vec2 gravity = {0.0f, 0.0f}) : game(run, gravity) {
         game.Listen();
         for (int i = 0; i < kCount; ++i) {
             Couple &couple = couples[i];
@@ -111,7 +105,6 @@ public:
             if (polygon == nullptr)
                 continue;
             polygon->SetAsBox(0.8f, thickness);
-            Edited(m_run, body);
             return;
         }
     }
@@ -179,8 +172,6 @@ private:
         }
         }
     }
-
-    Run &m_run;
 };
 
 } // namespace as_stock

@@ -3,6 +3,7 @@
 #define BOOMERANG_BOX2D_GLUE_H
 
 #include <cstdint>
+#include <optional>
 
 #include <box2d/b2_api.h>
 
@@ -51,11 +52,10 @@ struct Options {
     /// Called with every event of every pair (implies statistics), from inside b2World::Step, on the thread
     /// that steps: it must not touch the world.
     ///
-    /// There are two kinds of structures, and each has events of its own. One is a pair of hulls, of bodies
-    /// that have many contacts with each other. Its events are core's (boomerang/pair.h). The other is a
-    /// contact of two polygons, which keeps an edge, or a direction if one is big. Its certificate is of
-    /// level 0, the polygons themselves; level -1 is coarser: the disks around big polygons, or the bodies'
-    /// hulls.
+    /// Each contact of two polygons is a structure of its own: it keeps an edge, or a direction if one is
+    /// big. Its certificate is of level 0, the polygons themselves; level -1 is coarser: the disks around big
+    /// polygons. With `pairsBy` the events are core's (boomerang/pair.h), of pairs of bodies; contacts of
+    /// sensors have theirs besides.
     ///
     ///   START    the first certificate is made
     ///   PUSH     it failed, and another edge or direction separates the two
@@ -69,12 +69,18 @@ struct Options {
     /// the end of a contact. If its two fixtures meet again, that begins with START.
     ///
     /// `event.pair` of a contact is made for the event, and gone when onEvent returns. Its stamp is 0, unlike
-    /// that of a pair of hulls. Its certificate holds at `event.pose`, for bodyA and bodyB in this order. (If
+    /// that of a pair of bodies. Its certificate holds at `event.pose`, for bodyA and bodyB in this order. (If
     /// a polygon's normals are not those of its sides, nothing is certified, and `event.gap` is 0.)
     void (*onEvent)(void *context, const b2Body *bodyA, const b2Body *bodyB,
                     const bmr_event &event) = nullptr;
     void *eventContext = nullptr;
     Mode mode = Mode::On;
+    /// For study, not for speed. By default each contact has a line of its own, whose failure time is bounded
+    /// instead of computed. With a structure named here every two bodies that have contacts have one kinetic
+    /// structure of the paper, of their hulls (of a static body: of each fixture's). It is taken to where the
+    /// two are when a contact of theirs is due, and Box2D's exact test is asked only if a stab reaches the
+    /// hulls themselves. Shapes other than polygons are Box2D's. The bits are the same.
+    std::optional<bmr_structure> pairsBy;
     /// 0: only refusals and differences are printed on stderr. 1: Presence, too.
     int32_t verbosity = 0;
     /// How b2World::DebugDraw draws a ConvexShape, if the shared library stands in front of Box2D.
@@ -123,13 +129,6 @@ BMR_BOX2D_API Statistics GetStatistics();
 /// left the normals. Bodies of different worlds: 0. O(fixtures of one times fixtures of the other); does not
 /// change the simulation.
 BMR_BOX2D_API float CertifiedSlack(const b2Body *bodyA, const b2Body *bodyB);
-
-/// Forgets what is known about this body's shape, and builds its hulls again. Call it after you changed
-/// normals of a polygon fixture in place (through b2Fixture::GetShape) and not its vertices. All else is
-/// found without it: vertices and radii that are changed in place, at any time, fixtures that come and go. If
-/// the library does not see b2World::Step, a call after a change of vertices can save time: a hull that does
-/// not hold its fixtures answers nothing until this call builds it again.
-BMR_BOX2D_API void Invalidate(b2Body *body);
 
 /// Drops all that the library remembers of this world. The world's next step begins anew, with the same bits;
 /// it costs about as much as one step without the plugin. Call it between steps, on the thread that uses the

@@ -19,8 +19,6 @@ struct AnySize {
 /// bmr::Install, as games do it; or as BMR_ACTOR_INSTALL says: told (somebody listens to its events, and
 /// checks that their certificates hold). False where there is no plugin.
 bool Install();
-/// bmr::Invalidate.
-void Invalidate(b2Body *body);
 /// Asks for certified distances and proofs, which is not to change anything.
 void Look(b2World &world);
 /// Does nothing where there are no such polygons.

@@ -7,8 +7,6 @@ bool Install() {
     return false;
 }
 
-void Invalidate(b2Body *) {}
-
 void Look(b2World &) {}
 
 void CreateAnySize(b2Body *, const b2FixtureDef &, const AnySize &) {}

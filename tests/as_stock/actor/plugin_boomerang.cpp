@@ -35,10 +35,6 @@ bool Install() {
     return bmr::Install(options);
 }
 
-void Invalidate(b2Body *body) {
-    bmr::Invalidate(body);
-}
-
 void Look(b2World &world) {
     for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
          contact = contact->GetNext()) {

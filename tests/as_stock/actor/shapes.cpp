@@ -144,8 +144,6 @@ void Actor::ResizeInPlace() {
         return;
     const int how = Byte();
     MakePolygon(polygon);
-    if (how % 2 == 0)
-        Invalidate(fixture->GetBody());
     if (how / 2 % 2 == 0 && fixture->GetBody()->GetType() == b2_dynamicBody)
         fixture->GetBody()->ResetMassData();
 }
@@ -176,14 +174,10 @@ void Actor::NudgeShapeInPlace() {
     if (how >= 0xf0) {
         const float far = Below(2) == 0 ? 1e-7f : 1e-3f;
         polygon->m_vertices[how % polygon->m_count] += Vector(far);
-        if (how % 2 == 0)
-            Invalidate(fixture->GetBody());
         return;
     }
     if (how >= 0xe0) {
         PullVerticesInPlace(polygon, fixture->GetBody());
-        if (how % 8 == 0)
-            Invalidate(fixture->GetBody());
         return;
     }
     const float scale = 1.0f + (how % 4 == 0 ? 0.01f : 1.2e-7f) * static_cast<float>(how / 16);
@@ -191,8 +185,6 @@ void Actor::NudgeShapeInPlace() {
     for (int i = 0; i < polygon->m_count; ++i)
         polygon->m_vertices[i] = scale * polygon->m_vertices[i] + shift;
     polygon->m_centroid = scale * polygon->m_centroid + shift;
-    if (how / 4 % 2 == 0)
-        Invalidate(fixture->GetBody());
 }
 
 void Actor::ChangeRadiusInPlace() {
@@ -204,8 +196,6 @@ void Actor::ChangeRadiusInPlace() {
     const int byte = Byte(), which = byte % 5;
     if (fixture != nullptr && fixture->GetType() != b2Shape::e_circle) {
         fixture->GetShape()->m_radius = byte < kFirstNegative ? kRadii[which] : kNegative[which];
-        if (which % 2 == 0)
-            Invalidate(fixture->GetBody());
     }
 }
 
@@ -222,7 +212,6 @@ void Actor::ChangeRoundInPlace() {
     } else if (fixture->GetType() == b2Shape::e_edge) {
         static_cast<b2EdgeShape *>(fixture->GetShape())->m_vertex1 += shift;
     }
-    Invalidate(fixture->GetBody());
 }
 
 /// In scripts of any size, for stock has none.
@@ -273,8 +262,6 @@ void Actor::EditAllInPlace() {
     if (body == nullptr)
         return;
     EditAll(body, kScales[how % 6], shifts[how % 6]);
-    if (how / 6 % 4 == 0)
-        Invalidate(body);
 }
 
 } // namespace actor
