@@ -24,7 +24,7 @@ void StartNow();
 template <typename Start> void StartOnce(const Start &start) {
     if (IsFindingReach()) // Install does, on this thread
         return;
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Starting);
     if (!startsByItself.load(std::memory_order_relaxed))
         return;
     start();

@@ -98,7 +98,7 @@ std::atomic<bool> convexContactsAreOurs{false};
 const char *WhyThisBox2DIsUnknown() {
     static bool known = false;
     static const char *why = nullptr;
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Recognising);
     if (!known)
         why = WhyBox2DIsUnknown();
     known = why != kNoMemoryToRecognise;
@@ -106,13 +106,13 @@ const char *WhyThisBox2DIsUnknown() {
 }
 
 void RegisterPolygonContacts() {
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Recognising);
     PolygonContact::LearnVtable();
     Layer<PolygonContact>::Register(b2Shape::e_polygon, b2Shape::e_polygon);
 }
 
 void RegisterEdgeContacts() {
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Recognising);
     EdgeContact::LearnVtable();
     Layer<EdgeContact>::Register(b2Shape::e_edge, b2Shape::e_polygon);
     Layer<EdgeContact>::Register(b2Shape::e_chain, b2Shape::e_polygon);
@@ -123,7 +123,7 @@ bmr_error RegisterConvexContacts() {
         return BMR_OK;
     if (const char *why = WhyThisBox2DIsUnknown())
         return why == kNoMemoryToRecognise ? BMR_ERROR_NO_MEMORY : BMR_ERROR_UNSUPPORTED;
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Recognising);
     if (!convexContactsAreOurs.load(std::memory_order_relaxed)) {
         ConvexContact::LearnVtable();
         Layer<ConvexContact>::Register(b2Shape::e_polygon, b2Shape::e_polygon);

@@ -53,7 +53,7 @@ bool Install(const Options &given) {
 }
 
 bool InstallHere(const Options &given) {
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Starting);
     called = true;
     if (installed || refusedWhy != nullptr)
         return false;
@@ -82,17 +82,17 @@ bool InstallHere(const Options &given) {
 }
 
 const char *WhyRefused() {
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Starting);
     return refusedWhy;
 }
 
 bool InstallWasCalled() {
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Starting);
     return called;
 }
 
 bool IsInstalled() {
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Starting);
     return installed;
 }
 

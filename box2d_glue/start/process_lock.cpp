@@ -11,31 +11,35 @@ namespace bmr {
 
 namespace {
 
-std::recursive_mutex lock;
+constexpr int kCount = static_cast<int>(ProcessLock::Count);
+std::recursive_mutex locks[kCount];
 
 #if !defined(_WIN32)
 
-void Take() {
-    lock.lock();
+void TakeAll() {
+    for (std::recursive_mutex &lock : locks)
+        lock.lock();
 }
 
-void GiveBack() {
-    lock.unlock();
+void GiveAllBack() {
+    for (int i = kCount; i-- > 0;)
+        locks[i].unlock();
 }
 
-/// In the child, whose one thread has another number than the one that took it.
+/// In the child, whose one thread has another number than the one that took them.
 void MakeAnew() {
-    new (&lock) std::recursive_mutex();
+    for (std::recursive_mutex &lock : locks)
+        new (&lock) std::recursive_mutex();
 }
 
-[[maybe_unused]] const int watching = pthread_atfork(Take, GiveBack, MakeAnew);
+[[maybe_unused]] const int watching = pthread_atfork(TakeAll, GiveAllBack, MakeAnew);
 
 #endif
 
 } // namespace
 
-std::recursive_mutex &ProcessLock() {
-    return lock;
+std::recursive_mutex &LockOf(ProcessLock which) {
+    return locks[static_cast<int>(which)];
 }
 
 } // namespace bmr

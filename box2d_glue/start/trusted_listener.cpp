@@ -16,7 +16,7 @@ int recorders = 0; ///< alive, of this table
 namespace internal {
 
 void TrustListener(const void *table, int change) {
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Data);
     const void *const known = tableOfRecorders.load(std::memory_order_relaxed);
     if (known != nullptr && known != table)
         return;

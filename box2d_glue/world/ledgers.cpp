@@ -51,7 +51,7 @@ Entry **LinkTo(const b2ContactManager *manager) {
 }
 
 void Drop(const b2ContactManager *manager) {
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Data);
     Entry **link = LinkTo(manager);
     Entry *const ended = *link;
     if (ended == nullptr)
@@ -67,7 +67,7 @@ void Drop(const b2ContactManager *manager) {
 Ledger *internal::FindLedgerOfSome(const b2ContactManager *manager) {
     const uint64_t now = changesOfLedgers.load(std::memory_order_acquire);
     if (remembered.manager != manager || remembered.changes != now) {
-        const HoldsProcessLock lock;
+        const HoldsProcessLock lock(ProcessLock::Data);
         remembered = {manager, *LinkTo(manager), now};
     }
     Entry *const ledger = remembered.ledger;
@@ -94,7 +94,7 @@ Ledger *MakeLedger(b2ContactManager *manager) {
         delete made;
         return nullptr;
     }
-    const HoldsProcessLock lock;
+    const HoldsProcessLock lock(ProcessLock::Data);
     *LinkTo(manager) = made;
     internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
     return made;
