@@ -3,7 +3,6 @@
 #include "bad_poses.h"
 #include "convex32/convex32_collide.h"
 #include "convex32/convex32_distance.h"
-#include "convex32/convex32_envelope.h"
 #include "convex32/convex32_pieces.h"
 #include "exact32/swept32.h"
 #include "stage.h"
@@ -100,9 +99,6 @@ const Table kFloats("core/convex32", [] {
             {{"point", 0, Says("true", {kNaN}) + Says("false", {kInfinity, 1e38})}}, [](const Given &g) {
                 return Said(bmr_convex32_contains(&Convex()->polygon, {g.Float(0), g.Float(0)}));
             });
-    Answers("bmr_convex32_held", "true", {{"tolerance", 10, Says("false", {kNaN, -1})}}, [](const Given &g) {
-        return Said(bmr_convex32_held(&Convex()->polygon, Square().polygon, g[0]));
-    });
     Answers("bmr_convex32_impact", "touching",
             {{"time", 1, Says("failed", {kNaN}) + Says("separated", {-1})},
              {"angle", 0, Says("failed", {kNaN, kInfinity, 1e38})},

@@ -8,7 +8,6 @@
 
 #include "convex32/convex32_collide.h"
 #include "convex32/convex32_distance.h"
-#include "convex32/convex32_envelope.h"
 #include "convex32_poses.h"
 #include "convex32_reference.h"
 #include "harness.h"
@@ -408,26 +407,6 @@ void CheckImpact(const Pair &p, fuzz_bytes *bytes) {
             t * i / kSamples, target);
 }
 
-void CheckEnvelope(const Pair &p, fuzz_bytes *bytes) {
-    const uint32_t edges = 3 + fuzz_below(bytes, 30);
-    std::vector<bmr_vec2> corners(edges);
-    bmr_convex32_envelope(p.a.Polygon(), edges, corners.data());
-    if (fuzz_control("envelope"))
-        corners[0] = bmr_scale(0.5, corners[0]);
-    for (uint32_t i = 0; i < edges; ++i) {
-        const bmr_vec2 from = corners[i], to = corners[(i + 1) % edges];
-        const long double ex = static_cast<long double>(to.x) - from.x,
-                          ey = static_cast<long double>(to.y) - from.y;
-        if (std::hypot(ex, ey) <= 1e-9L * p.size)
-            continue; // edges that meet in one vertex
-        for (const bmr_vec32 v : p.a.vertices)
-            FUZZ_CHECK(ey * (v.x - static_cast<long double>(from.x)) -
-                               ex * (v.y - static_cast<long double>(from.y)) <=
-                           0.0L,
-                       "a vertex is outside the envelope of %u edges", edges);
-    }
-}
-
 void Ask(const Pair &p, fuzz_bytes *bytes) {
     const bool polygons = p.b.block != nullptr;
     switch (fuzz_below(bytes, 9)) {
@@ -445,10 +424,8 @@ void Ask(const Pair &p, fuzz_bytes *bytes) {
         return CheckDistance(p, bytes);
     case 6:
         return CheckCast(p, bytes);
-    case 7:
-        return CheckImpact(p, bytes);
     default:
-        return CheckEnvelope(p, bytes);
+        return CheckImpact(p, bytes);
     }
 }
 
