@@ -102,6 +102,7 @@ TEST(events_of_turning_to_and_fro_are_no_more_than_the_clear_decomposition_that_
             }
         }
     }
+    assert_true(nearest >= 0.119); // 0.132 was seen, less a tenth
     // The control: what holds of a spin that goes on is false here.
     assert_true(nearest < LEAST_RHO);
     assert_true(most[0] > 50 && most[1] > 50 && most[2] <= 1);
