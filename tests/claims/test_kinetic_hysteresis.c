@@ -87,6 +87,8 @@ TEST(events_are_as_far_apart_as_the_lemma_says) {
         assert_true(inflated.hysteresis.intervals > 0 && inflated.hysteresis.both >= 1.0 / beta);
         // beta = 1 for the free direction: the gap is the distance itself.
         assert_true(free.hysteresis.both >= 1.0 - 1e-3);
+        // And for the hybrid, all whose gaps here are above D/N^2.
+        assert_true(plain_run_of(&s, &bmr_kds_hybrid).hysteresis.both >= 1.0 - 1e-3);
         assert_true(rival.hysteresis.both < 1.0 / beta); // the control
     }
 }
