@@ -5,11 +5,11 @@
 #   add_subdirectory(box2d)            # or FetchContent_MakeAvailable(box2d)
 #   boomerang_accelerate(box2d)
 #
-# <target> is the library or program that compiles b2_world.cpp. Of its sources those that define what hooks stand in
-# front of are compiled through plugin/reach/renamed, which gives these functions other names; the sources themselves stay as
-# they are. Core, the glue and the hooks are compiled besides, with flags of their own, and become part of the target. Who
-# links it finds <boomerang/box2d.h>, and <boomerang/contact_recorder.h>, whose library is inside. The plugin is at work from the first b2World::Step on; BOOMERANG=off in the environment, or
-# bmr::Install with other options before that, says otherwise.
+# <target> is the library or program that compiles b2_world.cpp. Of its sources those that define what hooks stand in front of
+# are compiled through plugin/reach/renamed, which gives these functions other names; the sources themselves stay as they are.
+# Core, the glue and the hooks are compiled besides, with flags of their own, and become part of the target. Who links it finds
+# <boomerang/box2d.h>, and <boomerang/contact_recorder.h>, whose library is inside. The plugin is at work from the first
+# b2World::Step on; BOOMERANG=off in the environment, or bmr::Install with other options before that, says otherwise.
 get_filename_component(BOOMERANG_ACCELERATE_SOURCE "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 if(NOT EXISTS "${BOOMERANG_ACCELERATE_SOURCE}/core") # the installed package: boomerangConfig.cmake
   set(BOOMERANG_ACCELERATE_SOURCE "${boomerang_SOURCE}")
