@@ -9,6 +9,7 @@
 #include "kds/registry.h"
 #include "kds_driver.h"
 #include "motion_pieces.h"
+#include "structure_named.h"
 #include "test_scale.h"
 
 #define PI 3.14159265358979323846
@@ -395,4 +396,35 @@ TEST(no_climb_finds_more_than_the_root) {
         assert_true(most < MOST_EVENTS);
         assert_true(most < LEAST_EVENTS || finer < 2.0 * most);
     }
+}
+
+/// The gear of half as many corners, sqrt(D/sigma)/2: the repairs of one structure.
+static double repairs_on_gear(const char *name) {
+    enum { CORNERS = 128 };
+    const double separation = 2.0 / (4.0 * CORNERS * CORNERS);
+    bmr_adversary gear;
+    assert_int_equal(bmr_adversary_create(BMR_ADVERSARY_GEAR, CORNERS, separation, NULL, &gear), BMR_OK);
+    own_kds_body a = test_kds_body_make(gear.polygons[0]), b = test_kds_body_make(gear.polygons[1]);
+    own_motion *p = gear.motions[0], *q = gear.motions[1];
+    const bmr_course course = {{a.polygon, b.polygon}, {p, q}, 0.0, 1.0};
+    bmr_run_def def = {.structure = test_structure(name),
+                       .shapes = {a.shape, b.shape},
+                       .simulation = bmr_default_simulation_def()};
+    bmr_run run;
+    assert_int_equal(bmr_run_course(&def, &course, 2.0, NULL, &run), BMR_OK);
+    assert_int_equal(run.counts.external, 0);
+    const double handovers = (double)run.counts.events[BMR_KDS_HANDOVER];
+    printf("%-16s %4.0f events, %4.0f of them handovers, %4.0f lines\n", name, (double)run.events, handovers,
+           (double)run.lines);
+    return (double)run.events - handovers;
+}
+
+/// The row of docs/rigid-adversary.md, "All families".
+TEST(on_a_gear_two_lines_have_fewer_repairs_than_one_line_has_events) {
+    const double hybrid = repairs_on_gear("hybrid"), free_direction = repairs_on_gear("free-fd2"),
+                 two_lines = repairs_on_gear("two-lines");
+    repairs_on_gear("coarse");
+    repairs_on_gear("lazy-dudley");
+    repairs_on_gear("predict-adaptive");
+    assert_true(two_lines > 0.0 && two_lines <= 0.5 * free_direction && free_direction <= 0.5 * hybrid);
 }
