@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The lazy structure of two polygons (section 5, "Two Translating Polygons" and "Rigid Motion"),
-// event-driven: an edge of one envelope separates it from the other envelope of the same level, whose nearest
-// corner is watched. What the paper leaves open is settled like this:
+// The lazy structure (certificate/lazy.h) of two polygons, event-driven. What the paper leaves open is
+// settled like this:
 //
-// - Push, stab, roll and coarsening are one climb (certificate/walk.h), on one level or on one level after
-//   the other: the local neighbourhoods that the paper relies on do not always hold the new edge.
 // - A line is taken from one tolerance beyond the margin on and fails at the margin; a corner's cone is
 //   widened by an angle on either side, and the loss that this may mean is added to the line's offset. So
 //   nothing fails where it was made, parallel edges that never turn included.
@@ -18,7 +15,7 @@
 // four rolls a turn of bodies that spin far apart, but have no line to show as a proof.
 #include <math.h>
 
-#include "certificate/walk.h"
+#include "certificate/lazy.h"
 #include "geometry/distance.h"
 #include "hierarchy/tree.h"
 #include "kds/registry.h"
@@ -35,12 +32,9 @@ enum { LINE, CONE_BEFORE, CONE_AFTER, CONDITIONS };
 /// are more than the diagonal of any bounding rectangle.
 #define CONE_RADII 4.0
 typedef struct lazy_state {
-    bmr_corner corner;       ///< of the other body's envelope, the nearest
-    bmr_edge edge;           ///< the owner's; BMR_NO_EDGE: the free line
+    bmr_lazy_place at;       ///< edge BMR_NO_EDGE: the free line
     bmr_line free_line;      ///< A's frame
-    int level;               ///< of both envelopes
     uint32_t near_a, near_b; ///< where the last distance query ended
-    uint8_t owner;
 } lazy_state;
 
 static lazy_state *get(bmr_kds *kds) {
@@ -67,8 +61,9 @@ static double need(const bmr_kds *kds) {
 
 static bmr_line line_of(const bmr_kds *kds) {
     const lazy_state *state = look(kds);
-    return state->edge == BMR_NO_EDGE ? state->free_line
-                                      : bmr_hierarchy_line(bmr_kds_hierarchy(kds, state->owner), state->edge);
+    return state->at.edge == BMR_NO_EDGE
+               ? state->free_line
+               : bmr_hierarchy_line(bmr_kds_hierarchy(kds, state->at.owner), state->at.edge);
 }
 
 static bmr_vec2 turned_by_slack(bmr_vec2 normal, double slack) {
@@ -77,17 +72,18 @@ static bmr_vec2 turned_by_slack(bmr_vec2 normal, double slack) {
 
 static size_t conditions(const bmr_kds *kds, bmr_condition *k) {
     const lazy_state *state = look(kds);
-    const bmr_hierarchy *other = bmr_kds_hierarchy(kds, 1 - state->owner);
+    const bmr_hierarchy *other = bmr_kds_hierarchy(kds, 1 - state->at.owner);
     const bmr_line line = line_of(kds);
-    const bmr_vec2 before = bmr_hierarchy_line(other, state->corner.before).normal;
-    const bmr_vec2 after = bmr_hierarchy_line(other, state->corner.after).normal;
-    k[LINE] = bmr_condition_beyond(state->owner, line.normal, line.offset + kds->def.margin + cone_loss(kds),
-                                   bmr_hierarchy_corner_point(other, state->corner), LINE);
+    const bmr_vec2 before = bmr_hierarchy_line(other, state->at.corner.before).normal;
+    const bmr_vec2 after = bmr_hierarchy_line(other, state->at.corner.after).normal;
+    k[LINE] =
+        bmr_condition_beyond(state->at.owner, line.normal, line.offset + kds->def.margin + cone_loss(kds),
+                             bmr_hierarchy_corner_point(other, state->at.corner), LINE);
     // The direction against the normal is in the cone: counter-clockwise of `before`, clockwise of `after`.
     k[CONE_BEFORE] =
-        bmr_condition_turn(state->owner, line.normal, turned_by_slack(before, -CONE_SLACK), CONE_BEFORE);
-    k[CONE_AFTER] = bmr_condition_turn(state->owner, bmr_neg(line.normal), turned_by_slack(after, CONE_SLACK),
-                                       CONE_AFTER);
+        bmr_condition_turn(state->at.owner, line.normal, turned_by_slack(before, -CONE_SLACK), CONE_BEFORE);
+    k[CONE_AFTER] = bmr_condition_turn(state->at.owner, bmr_neg(line.normal),
+                                       turned_by_slack(after, CONE_SLACK), CONE_AFTER);
     return CONDITIONS;
 }
 
@@ -107,66 +103,50 @@ static bool cone_holds(const bmr_kds *kds, const bmr_pose *b_in_a) {
 /// A repair at work.
 typedef struct repair {
     bmr_kds *kds;
-    bmr_walk walk;
+    bmr_lazy lazy;
 } repair;
 
-static repair begin(bmr_kds *kds, const bmr_instant *now) {
-    const repair r = {
-        kds, {.hierarchies = {bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1)}, .pose = &now->pose}};
-    return r;
-}
-
 /// Makes the certificate of a candidate. False, and nothing is changed: it does not hold by enough.
-static bool certify(repair *r, const bmr_candidate *candidate, int level) {
+static bool certify(void *context, const bmr_candidate *candidate, int level) {
+    repair *r = context;
     lazy_state *state = get(r->kds);
-    const lazy_state before = *state;
-    state->owner = (uint8_t)candidate->owner;
-    state->edge = candidate->edge;
-    state->corner = candidate->corner[1 - candidate->owner];
-    state->level = level;
-    if (candidate->gap > need(r->kds) && line_holds(r->kds, r->walk.pose) && cone_holds(r->kds, r->walk.pose))
+    const bmr_lazy_place before = state->at;
+    state->at.owner = candidate->owner;
+    state->at.edge = candidate->edge;
+    state->at.corner = candidate->corner[1 - candidate->owner];
+    state->at.level = level;
+    if (line_holds(r->kds, r->lazy.walk.pose) && cone_holds(r->kds, r->lazy.walk.pose))
         return true;
-    *state = before;
+    state->at = before;
     return false;
 }
 
-static bool take(void *context, const bmr_candidate *candidate, int level) {
-    return certify(context, candidate, level);
-}
-
-/// From a candidate of the walk's level, which the state holds, to coarser levels.
-static void coarsen(repair *r, bmr_candidate candidate) {
-    const double least = need(r->kds);
-    bmr_walk_ascend(&r->walk, candidate, least, least, take, r);
-}
-
-/// Climbs the walk's level, and on to deeper ones until one separates.
-static bool descend(repair *r, bmr_candidate *found) {
-    const int deepest = bmr_walk_deepest(r->walk.hierarchies);
-    for (;;) {
-        const bool top = bmr_walk_climb(&r->walk, found);
-        if (certify(r, found, r->walk.level))
-            return true;
-        if (!top || r->walk.level >= deepest)
-            return false;
-        bmr_walk_refine(&r->walk);
-    }
+/// The old edge's line is as good as ever with another corner, if it holds: a roll asks for no larger gap.
+static void begin(repair *r, bmr_kds *kds, const bmr_instant *now) {
+    const repair begun = {
+        kds,
+        {.walk = {.hierarchies = {bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1)}, .pose = &now->pose},
+         .reach = need(kds),
+         .roll_reach = -INFINITY,
+         .take = certify,
+         .context = r}};
+    *r = begun;
 }
 
 /// The closest direction itself. False: contact.
 static bool take_free(repair *r, bmr_vec2 direction) {
     lazy_state *state = get(r->kds);
     const bmr_polygon *a = r->kds->shapes[0].polygon;
-    const bmr_hierarchy *b = r->walk.hierarchies[1];
-    const bmr_vec2 against = bmr_unrotate(r->walk.pose, bmr_neg(direction));
-    state->owner = 0;
-    state->edge = BMR_NO_EDGE;
+    const bmr_hierarchy *b = r->lazy.walk.hierarchies[1];
+    const bmr_vec2 against = bmr_unrotate(r->lazy.walk.pose, bmr_neg(direction));
+    state->at.owner = 0;
+    state->at.edge = BMR_NO_EDGE;
     state->free_line.normal = direction;
     state->free_line.offset =
-        bmr_dot(direction, a->vertices[bmr_support_counted(a, direction, &r->walk.steps)]);
-    state->level = bmr_walk_deepest(r->walk.hierarchies);
-    state->corner = bmr_tree_extreme(b, against, bmr_hierarchy_depth(b), &r->walk.steps);
-    return line_holds(r->kds, r->walk.pose);
+        bmr_dot(direction, a->vertices[bmr_support_counted(a, direction, &r->lazy.walk.steps)]);
+    state->at.level = bmr_walk_deepest(r->lazy.walk.hierarchies);
+    state->at.corner = bmr_tree_extreme(b, against, bmr_hierarchy_depth(b), &r->lazy.walk.steps);
+    return line_holds(r->kds, r->lazy.walk.pose);
 }
 
 /// From the exact closest direction, top down: the coarsest level that separates. False: contact.
@@ -174,57 +154,38 @@ static bool from_closest(repair *r) {
     lazy_state *state = get(r->kds);
     bmr_vec2 direction;
     double distance;
-    if (!bmr_kds_closest(r->kds, r->walk.pose, &state->near_a, &state->near_b, &direction, &distance) ||
+    if (!bmr_kds_closest(r->kds, r->lazy.walk.pose, &state->near_a, &state->near_b, &direction, &distance) ||
         !(distance > need(r->kds)))
         return false;
-    bmr_candidate found;
-    bmr_walk_start(&r->walk, direction, 0);
-    if (descend(r, &found))
-        return true;
-    return take_free(r, direction);
+    return bmr_lazy_start(&r->lazy, direction, 0) || take_free(r, direction);
 }
 
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    repair r = begin(kds, now);
+    repair r;
+    begin(&r, kds, now);
     const bool apart = from_closest(&r);
-    bmr_kds_tally(kds, r.walk.steps);
-    report->level_after = apart ? look(kds)->level : 0;
+    bmr_kds_tally(kds, r.lazy.walk.steps);
+    report->level_after = apart ? look(kds)->at.level : 0;
     return apart;
 }
 
-/// The line stays and the nearest corner becomes the one that is extreme now. False: the line does not hold
-/// for it; the corner is changed all the same.
-static bool roll(repair *r) {
+/// The free line stays and the nearest corner becomes the one that is extreme now. False: the line does not
+/// hold for it.
+static bool roll_free(repair *r) {
     lazy_state *state = get(r->kds);
-    const int owner = state->owner;
-    const bmr_vec2 normal = line_of(r->kds).normal;
-    const bmr_vec2 direction = owner == 0 ? normal : bmr_neg(bmr_rotate(r->walk.pose, normal));
-    bmr_walk_start(&r->walk, direction, state->level);
-    state->corner = r->walk.corner[1 - owner];
-    if (!line_holds(r->kds, r->walk.pose))
-        return false;
-    if (state->edge == BMR_NO_EDGE)
-        return true;
-    bmr_candidate candidate = {0.0, owner, state->edge, direction, {r->walk.corner[0], r->walk.corner[1]}};
-    const bmr_vec2 p = bmr_walk_point(&r->walk, 0, r->walk.corner[0]);
-    const bmr_vec2 q = bmr_walk_point(&r->walk, 1, r->walk.corner[1]);
-    candidate.gap = bmr_dot(direction, bmr_sub(q, p));
-    coarsen(r, candidate);
-    return true;
+    bmr_walk_start(&r->lazy.walk, state->free_line.normal, state->at.level);
+    state->at.corner = r->lazy.walk.corner[1];
+    return line_holds(r->kds, r->lazy.walk.pose);
 }
 
-/// A push or a stab: on the level of the edge that was crossed and below it.
-static bool search(repair *r) {
-    const lazy_state *state = look(r->kds);
-    bmr_candidate found;
-    if (state->edge == BMR_NO_EDGE)
+/// Rolls, pushes or stabs, and takes coarser levels. False: contact.
+static bool repair_edge(repair *r, bool turned, bool *rolled) {
+    const bmr_lazy_end end = bmr_lazy_repair(&r->lazy, look(r->kds)->at, turned);
+    *rolled = end == BMR_LAZY_ROLL;
+    if (end == BMR_LAZY_NONE)
         return from_closest(r);
-    const int level = state->level;
-    bmr_walk_resume(&r->walk, state->owner, state->edge, state->corner, level);
-    if (!descend(r, &found))
-        return from_closest(r);
-    if (r->walk.level == level)
-        coarsen(r, found);
+    if (end != BMR_LAZY_STAB)
+        bmr_walk_ascend(&r->lazy.walk, r->lazy.found, r->lazy.reach, r->lazy.reach, certify, r);
     return true;
 }
 
@@ -232,51 +193,53 @@ static bool search(repair *r) {
 /// Theorem 5.3: rigid motions: O(log min{n, D/s}) an event, O(mu^2) events.
 static bool repair_pair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)failed;
-    repair r = begin(kds, now);
+    repair r;
+    begin(&r, kds, now);
     const lazy_state before = *look(kds);
-    report->level_before = report->level_after = before.level;
+    report->level_before = report->level_after = before.at.level;
     const bool turned = !cone_holds(kds, &now->pose);
     if (!turned && line_holds(kds, &now->pose))
         return true;
-    const bool rolled = turned && roll(&r);
-    const bool apart = rolled || search(&r);
-    bmr_kds_tally(kds, r.walk.steps);
+    const bool free_line = before.at.edge == BMR_NO_EDGE;
+    bool rolled = free_line && turned && roll_free(&r);
+    const bool apart = rolled || (free_line ? from_closest(&r) : repair_edge(&r, turned, &rolled));
+    bmr_kds_tally(kds, r.lazy.walk.steps);
     if (!apart)
         return false;
     const lazy_state *state = look(kds);
-    report->level_after = state->level;
-    report->kind = rolled ? BMR_KDS_ROLL : state->level > before.level ? BMR_KDS_STAB : BMR_KDS_PUSH;
-    report->line_changed =
-        state->owner != before.owner || state->edge != before.edge || (state->edge == BMR_NO_EDGE && !rolled);
+    report->level_after = state->at.level;
+    report->kind = rolled ? BMR_KDS_ROLL : state->at.level > before.at.level ? BMR_KDS_STAB : BMR_KDS_PUSH;
+    report->line_changed = state->at.owner != before.at.owner || state->at.edge != before.at.edge ||
+                           (state->at.edge == BMR_NO_EDGE && !rolled);
     return true;
 }
 
 static void proof(const bmr_kds *kds, bmr_kds_proof *proof) {
     const lazy_state *state = look(kds);
-    proof->owner = state->owner;
+    proof->owner = state->at.owner;
     proof->line = line_of(kds);
-    proof->nearest = bmr_hierarchy_corner_point(bmr_kds_hierarchy(kds, 1 - state->owner), state->corner);
-    proof->level = state->level;
+    proof->nearest =
+        bmr_hierarchy_corner_point(bmr_kds_hierarchy(kds, 1 - state->at.owner), state->at.corner);
+    proof->level = state->at.level;
 }
 
 /// The edge and the corner are on the level, and the corner is the extreme one there.
 static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
     const lazy_state *state = look(kds);
-    const bmr_hierarchy *own = bmr_kds_hierarchy(kds, state->owner),
-                        *other = bmr_kds_hierarchy(kds, 1 - state->owner);
-    const uint32_t level = bmr_walk_side_level(other, state->level);
-    if (state->edge != BMR_NO_EDGE && (state->edge >= bmr_hierarchy_edge_count(own) ||
-                                       (int)bmr_hierarchy_level(own, state->edge) > state->level))
-        return BMR_ERROR_INVALID_STRUCTURE;
-    if (bmr_hierarchy_level(other, state->corner.before) > level ||
-        bmr_hierarchy_corner_after(other, state->corner.before, level).after != state->corner.after)
+    const bmr_hierarchy *other = bmr_kds_hierarchy(kds, 1 - state->at.owner);
+    const uint32_t level = bmr_walk_side_level(other, state->at.level);
+    const bmr_hierarchy *const hierarchies[2] = {bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1)};
+    bmr_lazy_place at = state->at;
+    if (at.edge == BMR_NO_EDGE)
+        at.edge = 0; // of every level
+    if (!bmr_lazy_is_place(hierarchies, &at))
         return BMR_ERROR_INVALID_STRUCTURE;
     const bmr_vec2 normal = line_of(kds).normal;
     const bmr_vec2 against =
-        state->owner == 0 ? bmr_neg(bmr_unrotate(b_in_a, normal)) : bmr_neg(bmr_rotate(b_in_a, normal));
+        state->at.owner == 0 ? bmr_neg(bmr_unrotate(b_in_a, normal)) : bmr_neg(bmr_rotate(b_in_a, normal));
     const bmr_corner extreme = bmr_hierarchy_extreme(other, against, level);
     const double most = bmr_dot(against, bmr_hierarchy_corner_point(other, extreme));
-    const double mine = bmr_dot(against, bmr_hierarchy_corner_point(other, state->corner));
+    const double mine = bmr_dot(against, bmr_hierarchy_corner_point(other, state->at.corner));
     return mine >= most - cone_loss(kds) - tolerance(kds) ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
 }
 

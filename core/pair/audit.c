@@ -2,6 +2,7 @@
 // Re-proving a pair's state from nothing but the polygons (and, for the lazy structures, the hierarchies).
 #include <math.h>
 
+#include "certificate/lazy.h"
 #include "pair/step.h"
 
 /// Two computations of one float, from doubles that agree up to rounding.
@@ -28,28 +29,18 @@ static bool is_extreme(const bmr_hierarchy *h, bmr_vec2 point, bmr_vec2 directio
     return false; // the level does not close
 }
 
-static uint32_t side_level(const bmr_hierarchy *h, const bmr_pair *pair) {
-    const uint32_t depth = bmr_hierarchy_depth(h);
-    return (uint32_t)pair->level < depth ? (uint32_t)pair->level : depth;
-}
-
-static bool has_edge(const bmr_hierarchy *h, uint32_t edge, uint32_t level) {
-    return edge < bmr_hierarchy_edge_count(h) && bmr_hierarchy_level(h, edge) <= level;
-}
-
 /// The state of a lazy pair names an edge and a corner of its level, the certificate is made of these, and
 /// the corner is the one nearest to the edge's line.
 static bmr_error audit_lazy(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other,
                             const bmr_pose *other_in_owner) {
     const bmr_hierarchy *own = owner->hierarchies[pair->structure],
                         *facing = other->hierarchies[pair->structure];
-    const uint32_t level = side_level(facing, pair);
-    if (!has_edge(own, pair->edge, side_level(own, pair)) || !has_edge(facing, pair->other, level) ||
-        !has_edge(facing, pair->other_after, level))
+    const bmr_hierarchy *const hierarchies[2] = {own, facing};
+    const bmr_lazy_place at = {{pair->other, pair->other_after, BMR_NO_EDGE}, pair->edge, pair->level, 0};
+    if (!bmr_lazy_is_place(hierarchies, &at))
         return BMR_ERROR_INVALID_STRUCTURE;
+    const uint32_t level = bmr_walk_side_level(facing, pair->level);
     const bmr_corner corner = bmr_hierarchy_corner_after(facing, pair->other, level);
-    if (corner.after != pair->other_after)
-        return BMR_ERROR_INVALID_STRUCTURE;
     const bmr_certificate *k = &pair->certificate;
     const bmr_line line = bmr_hierarchy_line(own, pair->edge);
     const bmr_vec2 point = bmr_hierarchy_corner_point(facing, corner);

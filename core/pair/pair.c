@@ -200,7 +200,7 @@ static bmr_answer repair(bmr_pair *pair, const bmr_pair_def *def, const bmr_shap
     const bmr_failure failure = failure_of(pair, check);
     *gap = 0.0;
     const bmr_answer answer = structure >= BMR_FREE_DIRECTION ? bmr_free_repair(&step, failure, gap)
-                                                              : bmr_lazy_repair(&step, failure, gap);
+                                                              : bmr_lazy_pair_repair(&step, failure, gap);
     if (answer != BMR_APART)
         *gap = 0.0;
     if (observer && observer->counters)

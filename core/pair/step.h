@@ -80,6 +80,6 @@ bool bmr_spare_line(const bmr_pair *pair, const bmr_polygon *a, const bmr_polygo
 int bmr_free_spin(const bmr_pair *pair, const bmr_pose *b_in_a);
 
 bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap);
-bmr_answer bmr_lazy_repair(bmr_step *step, bmr_failure failure, double *gap);
+bmr_answer bmr_lazy_pair_repair(bmr_step *step, bmr_failure failure, double *gap);
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Audits see what is wrong in a state, each promise by itself: what is damaged here is damaged nowhere else.
 #include "boomerang/pair.h"
+#include "certificate/lazy.h"
 #include "checks.h"
 #include "kds/point.h"
 #include "kds/structure.h"
@@ -48,18 +49,10 @@ static void assert_refused(const stage *s) {
     assert_int_equal(bmr_kds_audit(s->kds, &s->now.pose), BMR_ERROR_INVALID_STRUCTURE);
 }
 
-/// How the state of the lazy structures begins.
-typedef struct lazy_begin {
-    bmr_corner corner;
-    bmr_edge edge;
-    bmr_line free_line;
-    int level;
-} lazy_begin;
-
 TEST(the_edge_and_the_corner_of_a_lazy_structure_are_of_its_level) {
     own_stage s = stage_of("lazy-dudley", regular(64), regular(64), 1e-3);
-    lazy_begin *lazy = (lazy_begin *)(void *)s.kds->state;
-    const lazy_begin right = *lazy;
+    bmr_lazy_place *lazy = (bmr_lazy_place *)(void *)s.kds->state; // it begins with it
+    const bmr_lazy_place right = *lazy;
     const bmr_hierarchy *h = s.a.hierarchies[BMR_HIERARCHY_DUDLEY];
     const bmr_edge last = bmr_hierarchy_edge_count(h) - 1;
     assert_int_equal(bmr_hierarchy_level(h, last), bmr_hierarchy_depth(h));
