@@ -136,7 +136,7 @@ Options WithEnvironment(const Options &options) {
     Options made = options;
     made.mode = ModeOfEnvironment().value_or(options.mode);
     if (const auto structure = StructureOfEnvironment())
-        made.pairsBy = structure;
+        made.pairsBy = *structure;
     if (const auto verbose = ChoiceOfEnvironment(kVerbose, "BOOMERANG_VERBOSE", "0", "1"))
         made.verbosity = *verbose;
     return made;

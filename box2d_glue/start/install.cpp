@@ -64,6 +64,8 @@ bool InstallHere(const Options &given) {
         TimeSteps();
     if (options.mode == Mode::Off)
         return false;
+    if (static_cast<unsigned>(options.pairsBy) > BMR_STRUCTURE_COUNT)
+        return Refuse("Options::pairsBy is none of the structures of boomerang/pair.h");
     if (const char *why = WhyThisBox2DIsUnknown())
         return Refuse(why);
     if (const char *why = WhyRoundingIsAnother())

@@ -23,12 +23,14 @@ bool MakeSettings(const Options &options, const char *whyNoPass) {
     made.options = options;
     made.whyNoPass = whyNoPass;
     if (whyNoPass != nullptr)
-        made.options.pairsBy.reset(); // structures are kept by the table of pairs, which passes have
+        made.options.pairsBy =
+            BMR_STRUCTURE_COUNT; // structures are kept by the table of pairs, which passes have
     made.options.statistics =
         options.statistics || options.onEvent != nullptr || AnswersAreObserved() || CountsAreWanted();
     made.pairDef = bmr_default_pair_def();
     made.everywhere = EverywhereOfEnvironment();
-    made.pairDef.structure = made.options.pairsBy.value_or(BMR_FREE_DIRECTION);
+    made.pairDef.structure =
+        made.options.pairsBy == BMR_STRUCTURE_COUNT ? BMR_FREE_DIRECTION : made.options.pairsBy;
     made.pairDef.hysteresis = kHysteresis;
     made.compass = nullptr;
     if (made.options.pairsBy == BMR_LAZY_COMPASS) {

@@ -93,13 +93,13 @@ inline bool Verifying() {
 inline bool WorksEverywhere() {
     const Options &options = GetSettings().options;
     return GetSettings().everywhere || options.statistics || options.mode == Mode::Verify ||
-           options.pairsBy.has_value();
+           options.pairsBy != BMR_STRUCTURE_COUNT;
 }
 
 /// Does a structure of the paper hold each pair of bodies (Options::pairsBy), where else each contact has a
 /// line of its own?
 inline bool PairsAreHulls() {
-    return GetSettings().options.pairsBy.has_value();
+    return GetSettings().options.pairsBy != BMR_STRUCTURE_COUNT;
 }
 
 /// Takes the options over; called once, by Install. False without memory for the compass table.

@@ -50,6 +50,16 @@ TEST_CASE("Install does nothing where it is told off") {
           }) == "not done, not installed: \ndone, installed: \n");
 }
 
+TEST_CASE("a structure that is none is refused") {
+    CHECK(InChild([](Run &run) {
+              bmr::Options options;
+              options.pairsBy = static_cast<bmr_structure>(BMR_STRUCTURE_COUNT + 1);
+              PrintInstall(run, options);
+          }) ==
+          "not done, not installed: boomerang: not at work, Box2D runs as it is: Options::pairsBy is none of "
+          "the structures of boomerang/pair.h\n\n");
+}
+
 TEST_CASE("a refusal is said once, with its reason, and is for good") {
     CHECK(InChild([](Run &run) {
               bmr::SetLibraryCheck([] { return "this one is another"; });

@@ -3,7 +3,6 @@
 #define BOOMERANG_BOX2D_GLUE_H
 
 #include <cstdint>
-#include <optional>
 
 #include <box2d/b2_api.h>
 
@@ -80,7 +79,8 @@ struct Options {
     /// structure of the paper, of their hulls (of a static body: of each fixture's). It is taken to where the
     /// two are when a contact of theirs is due, and Box2D's exact test is asked only if a stab reaches the
     /// hulls themselves. Shapes other than polygons are Box2D's. The bits are the same.
-    std::optional<bmr_structure> pairsBy;
+    /// (BMR_STRUCTURE_COUNT names no structure.)
+    bmr_structure pairsBy = BMR_STRUCTURE_COUNT;
     /// 0: only refusals and differences are printed on stderr. 1: Presence, too.
     int32_t verbosity = 0;
     /// How b2World::DebugDraw draws a ConvexShape, if the shared library stands in front of Box2D.
