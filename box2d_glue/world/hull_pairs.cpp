@@ -74,6 +74,8 @@ bool KnownApart(HullPair *pair, const b2Transform &poseA, const b2Transform &pos
         Count(&Counts::verdictsReused);
         return pair->apart;
     }
+    if (!sameHulls) // also where the pair is out of reach: the next question finds these versions
+        bmr_pair_init(&pair->kinetic);
     pair->apart =
         IsWithinReach(*pair, poseA, poseB) && Advance(pair, Relative(poseA, poseB), sameHulls) == BMR_APART;
     pair->poseA = poseA;
