@@ -176,6 +176,6 @@ TEST_CASE("all that is made of the largest polygons fits 32 bits") {
     }
     bmr_compass_destroy(compass, memory);
     CHECK(made_of_two > 30);
-    CHECK(ledger.largest > size_t{1} << 26); // 77 MB
+    CHECK(ledger.largest > size_t{1} << 24); // 25 MB
     CHECK(ledger.largest <= k32);
 }
