@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Every allocation of the glue fails once: worlds keep stock's bits, shapes stay as they were, and nothing is
-// lost. (All of this program is linked with memory that fails, its own code too: what fails while a world
-// steps must be the glue's.)
-#include <sys/mman.h>
+// Memory that fails for the glue, and for this program's own code: shapes and the recorder answer and stay as
+// they were, Install refuses, and a step ends the program with a sentence.
+#include <csignal>
+
 #include <sys/wait.h>
 
 #include "as_stock.h"
@@ -12,6 +12,7 @@
 #include "boomerang/inspect.h"
 #include "box2d_shapes.h"
 #include "failing_malloc.h"
+#include "start/settings.h"
 
 using bmr::ConvexShape;
 using namespace as_stock;
@@ -19,99 +20,6 @@ using namespace as_stock;
 namespace {
 
 constexpr uint64_t kNoFailure = UINT64_MAX;
-/// What the next child does; fork hands it on.
-uint64_t failAt = kNoFailure;
-bmr::Options options;
-
-/// What the last child found.
-struct Found {
-    uint64_t asked, failed;
-    int64_t left;
-};
-Found *const found = static_cast<Found *>(
-    mmap(nullptr, sizeof(Found), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
-
-int64_t outAtBegin = 0;
-
-void Begin(const Run &run, uint64_t fail) {
-    outAtBegin = failing_malloc::Out();
-    failing_malloc::FailAt(run.HasPlugin() ? fail : kNoFailure);
-}
-
-void End() {
-    *found = {failing_malloc::Asked(), failing_malloc::Failed(), failing_malloc::Out() - outAtBegin};
-    failing_malloc::FailAt(kNoFailure);
-}
-
-/// Small polygons in bodies of many fixtures, whose hulls come, change and go. The plugin is installed with
-/// memory that fails, too.
-void PlayPlanks(Run &run) {
-    Begin(run, failAt);
-    if (run.HasPlugin())
-        bmr::Install(options);
-    {
-        Game game(run, {0.0f, -10.0f});
-        game.Plank(game.Body(b2_staticBody, {0.0f, 0.0f}));
-        b2Body *above = game.Body(b2_dynamicBody, {0.3f, 0.6f}, 0.1f);
-        game.Plank(above);
-        b2Body *high = game.Body(b2_dynamicBody, {-0.3f, 1.2f});
-        game.Plank(high);
-        game.Step(20);
-        auto *shape = static_cast<b2PolygonShape *>(above->GetFixtureList()->GetShape());
-        shape->m_vertices[0] *= 1.01f;
-        game.Step(10);
-        game.Fixture(game.Body(b2_staticBody, {0.0f, 1.0f}), *shape, true);
-        game.Step(10);
-        game.world.DestroyBody(above);
-        game.Step(20);
-    }
-    End();
-}
-
-/// Big polygons, several in a body; made before memory fails.
-void PlayCoins(Run &run) {
-    if (run.HasPlugin())
-        bmr::Install(options);
-    ConvexShape coin, plate;
-    if (coin.SetRegular(100, 0.4f) != BMR_OK || plate.SetRounded(3.0f, 0.2f, 0.1f, 20) != BMR_OK) {
-        run.Print("!no shapes");
-        return;
-    }
-    Begin(run, failAt);
-    {
-        Game game(run, {0.0f, -10.0f});
-        game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), plate);
-        for (int i = 0; i < 4; ++i) {
-            b2Body *body = game.Body(b2_dynamicBody, {1.5f * Real(i) - 2.2f, 0.8f});
-            game.Fixture(body, coin);
-            for (int k = 0; k < 9; ++k)
-                game.Box(body, 0.1f, 0.1f, {0.1f * Real(k), 0.0f});
-        }
-        game.Step(40);
-    }
-    End();
-}
-
-void CheckEveryFailure(Scenario scenario, bool likeStock, int64_t stays) {
-    failAt = kNoFailure;
-    const std::string reference = InChild(scenario, likeStock ? nullptr : &options, Installed::ByPlay);
-    const std::string whole = InChild(scenario, &options, Installed::ByPlay);
-    REQUIRE(reference.size() > 1000);
-    REQUIRE(Difference(reference, whole) == "");
-    const Found complete = *found;
-    REQUIRE(complete.asked > 5);
-    REQUIRE(complete.failed == 0);
-    CHECK(complete.left <= stays);
-    // The first ones all, the others in steps that leave none of their kind out.
-    const uint64_t most = test_scaled(30);
-    for (failAt = 0; failAt < complete.asked; failAt += failAt < 20 ? 1 : complete.asked / most + 1) {
-        CAPTURE(failAt);
-        const std::string failing = InChild(scenario, &options, Installed::ByPlay);
-        CHECK(Difference(reference, failing) == "");
-        CHECK(found->failed == 1);
-        CHECK(found->left <= complete.left);
-    }
-}
 
 struct CountingDraw : IdleDraw {
     int polygons = 0;
@@ -119,6 +27,25 @@ struct CountingDraw : IdleDraw {
 };
 
 } // namespace
+
+// The first case: what another one finds out about this Box2D stays known.
+TEST_CASE("Install without memory to find out which Box2D this is is refused, and says so") {
+    const std::string said = InChild([](Run &run) {
+        for (const uint64_t at : {uint64_t{0}, kNoFailure}) {
+            bool done = true;
+            const std::string line = StderrOf([&] {
+                failing_malloc::FailAt(at);
+                done = bmr::Install();
+                failing_malloc::FailAt(kNoFailure);
+            });
+            run.Print("%d %d %s", done, bmr::IsInstalled(), line.c_str());
+        }
+    });
+    // Refused once is refused for good.
+    CHECK(said ==
+          "0 0 boomerang: not at work, Box2D runs as it is: there is no memory to find out which Box2D "
+          "this is\n\n0 0 \n");
+}
 
 TEST_CASE("a shape without memory says so, stays as it was, and can be set once there is some") {
     std::vector<b2Vec2> points;
@@ -196,25 +123,6 @@ TEST_CASE("a shape without memory says so, stays as it was, and can be set once 
     }
 }
 
-TEST_CASE("a world of small polygons plays as stock, whatever allocation fails") {
-    for (const char *structure : {"", "free-direction", "lazy-dudley", "lazy-compass"}) {
-        const std::string name = structure;
-        CAPTURE(name);
-        options = bmr::Options();
-        const PairsBy by(name.empty() ? nullptr : structure);
-        // The compass table is the process's.
-        CheckEveryFailure(PlayPlanks, true, name == "lazy-compass" ? 1 : 0);
-    }
-}
-
-TEST_CASE("a world of big polygons plays as with memory, whatever allocation fails") {
-    for (const bmr_structure structure : {BMR_FREE_DIRECTION, BMR_LAZY_DUDLEY}) {
-        options = bmr::Options();
-        const PairsBy by(structure);
-        CheckEveryFailure(PlayCoins, false, 0);
-    }
-}
-
 TEST_CASE("what cannot be drawn whole for want of memory is drawn in pieces") {
     b2World world({0.0f, 0.0f});
     ConvexShape shape;
@@ -236,6 +144,7 @@ TEST_CASE("without memory for a step the program ends with a sentence") {
     const std::string said = StderrOf([] {
         const pid_t child = fork();
         if (child == 0) {
+            std::signal(SIGABRT, SIG_DFL); // else doctest's report of a crash
             bmr::Column<int> column;
             failing_malloc::FailAt(0);
             column.Reserve(100);
@@ -249,23 +158,19 @@ TEST_CASE("without memory for a step the program ends with a sentence") {
     CHECK(said == "boomerang: there is no memory for a step of Box2D\n");
 }
 
-TEST_CASE("Install without memory for its table is refused, and says so") {
-    // Which Box2D this is may be known already: then the table is the first that is asked for, else the
-    // second.
-    static uint64_t at;
-    int refused = 0;
-    for (at = 0; at < 2; ++at)
-        refused += InChild([](Run &run) {
-                       const PairsBy by(BMR_LAZY_COMPASS);
-                       bool done = true;
-                       const std::string said = StderrOf([&] {
-                           failing_malloc::FailAt(at);
-                           done = bmr::Install();
-                           failing_malloc::FailAt(UINT64_MAX);
-                       });
-                       run.Print("%d %d %s", done, bmr::IsInstalled(), said.c_str());
-                   }) == "0 0 boomerang: not at work, Box2D runs as it is: there is no memory\n\n";
-    CHECK(refused == 1);
+TEST_CASE(
+    "settings without memory for the table of compass are refused, and can be made once there is some") {
+    const std::string said = InChild([](Run &run) {
+        bmr::Options options;
+        options.pairsBy = BMR_LAZY_COMPASS;
+        for (const uint64_t at : {uint64_t{0}, kNoFailure}) {
+            failing_malloc::FailAt(at);
+            const bool made = bmr::MakeSettings(options);
+            failing_malloc::FailAt(kNoFailure);
+            run.Print("%d %d", made, bmr::GetSettings().compass != nullptr);
+        }
+    });
+    CHECK(said == "0 0\n1 1\n");
 }
 
 TEST_CASE("a recorder without memory loses events, and says how many") {
