@@ -131,8 +131,7 @@ inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform 
                                              RadiusSum(), kTolerance);
     // (With Options::pairsBy no look asks this edge: it is the direction of the pair's line.)
     state.edge.ofB = edge >= BMR_EDGES_OF_B32;
-    state.edge.number =
-        static_cast<uint8_t>(edge == BMR_NO_EDGE32 ? kNoEdge : edge & (BMR_EDGES_OF_B32 - 1));
+    state.edge.number = static_cast<uint8_t>(edge == BMR_NO_EDGE32 ? kNoEdge : edge & (BMR_EDGES_OF_B32 - 1));
     return edge != BMR_NO_EDGE32;
 }
 

@@ -40,8 +40,8 @@ private:
     Clock::time_point m_last = m_first;
 };
 
-/// A solver for one pass. There is none if rounding is not to nearest, or if the thread's objects are gone. Then
-/// the pass is Box2D's.
+/// A solver for one pass. There is none if rounding is not to nearest, or if the thread's objects are gone.
+/// Then the pass is Box2D's.
 class TakenSolver {
 public:
     TakenSolver(uint32_t bodies, uint32_t contacts, uint32_t joints) {

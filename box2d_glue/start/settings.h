@@ -17,7 +17,7 @@ namespace bmr {
 struct Settings {
     bool made = false; ///< has Install decided? (Contacts of big ConvexShapes do not wait for it.)
     Options options = {};
-    bool everywhere = false;   ///< BOOMERANG_EVERYWHERE
+    bool everywhere = false; ///< BOOMERANG_EVERYWHERE
     /// Of Options::pairsBy: structure and hysteresis; the margin is each pair's own.
     bmr_pair_def pairDef = {};
     /// Directions for hulls of up to kMostCompassVertices vertices; NULL where not needed.

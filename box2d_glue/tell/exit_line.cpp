@@ -22,7 +22,7 @@ namespace {
 
 BMR_THREAD bool inStep = false;
 bool linesAreWanted = false;
-std::atomic<uint64_t> steps{0}, nanoseconds{0}, passes{0}, pairs{0}, touchingPairs{0};
+std::atomic<uint64_t> steps{0}, nanoseconds{0}, passes{0}, pairsSeen{0}, touchingPairs{0};
 std::atomic<bool> lineIsSaid{false};
 std::atomic<long> steppedIn{0}; ///< the process that took the first step; 0: none did
 uint64_t mostSteps = ~uint64_t{0};
@@ -44,7 +44,7 @@ void SayLine() {
     char ofPairs[120] = "";
     if (looked > 0.0)
         std::snprintf(ofPairs, sizeof ofPairs, "; %.1f pairs of awake bodies a step, %.1f of them touch",
-                      static_cast<double>(pairs) / looked, static_cast<double>(touchingPairs) / looked);
+                      static_cast<double>(pairsSeen) / looked, static_cast<double>(touchingPairs) / looked);
     std::fprintf(stderr, "boomerang: %.0f steps, %.2f us each%s\n", count,
                  1e-3 * static_cast<double>(nanoseconds) / count, ofPairs);
 }
@@ -171,7 +171,7 @@ void NotePairs(uint64_t awake, uint64_t touching) {
     if (steps.load(std::memory_order_relaxed) >= mostSteps)
         return;
     passes.fetch_add(1, std::memory_order_relaxed);
-    pairs.fetch_add(awake, std::memory_order_relaxed);
+    pairsSeen.fetch_add(awake, std::memory_order_relaxed);
     touchingPairs.fetch_add(touching, std::memory_order_relaxed);
 }
 

@@ -25,14 +25,14 @@
 // have come later). A pick that is not the last fails; so there are at most d_P + d_Q + 4 failures. (If the
 // last fails too, it had not come later, and K is one less.)
 //
-// Lemma C. Each failure of a coarse line ends at a zero of its own, or at a right angle. For a translation it is
-// a zero of one of N + 8 heights. For an algebraic rigid motion it is a zero of one of O(n_P n_Q) functions,
-// each with O(1) zeros: the heights of a body's vertices over the other's edges and axes, and the ends of the
-// vertices' cones, which are parallel edges. Proof. A pick holds its conditions until one falls to zero. The
-// same function may end another pick, but at a later zero. Only an end of the bracket that is farther than a
-// right angle from the direction of the pick is no cone's: kds/windowed_line.c brings it in to the right angle.
-// Picks that fail there take a right angle of turning each, in disjoint times: an algebraic motion of bounded
-// degree turns by O(1) altogether, so they are O(1).
+// Lemma C. Each failure of a coarse line ends at a zero of its own, or at a right angle. For a translation it
+// is a zero of one of N + 8 heights. For an algebraic rigid motion it is a zero of one of O(n_P n_Q)
+// functions, each with O(1) zeros: the heights of a body's vertices over the other's edges and axes, and the
+// ends of the vertices' cones, which are parallel edges. Proof. A pick holds its conditions until one falls
+// to zero. The same function may end another pick, but at a later zero. Only an end of the bracket that is
+// farther than a right angle from the direction of the pick is no cone's: kds/windowed_line.c brings it in to
+// the right angle. Picks that fail there take a right angle of turning each, in disjoint times: an algebraic
+// motion of bounded degree turns by O(1) altogether, so they are O(1).
 #include "certificate/coarse.h"
 
 #include "certificate/cone.h"

@@ -68,8 +68,8 @@ struct Options {
     /// the end of a contact. If its two fixtures meet again, that begins with START.
     ///
     /// `event.pair` of a contact is made for the event, and gone when onEvent returns. Its stamp is 0, unlike
-    /// that of a pair of bodies. Its certificate holds at `event.pose`, for bodyA and bodyB in this order. (If
-    /// a polygon's normals are not those of its sides, nothing is certified, and `event.gap` is 0.)
+    /// that of a pair of bodies. Its certificate holds at `event.pose`, for bodyA and bodyB in this order.
+    /// (If a polygon's normals are not those of its sides, nothing is certified, and `event.gap` is 0.)
     void (*onEvent)(void *context, const b2Body *bodyA, const b2Body *bodyB,
                     const bmr_event &event) = nullptr;
     void *eventContext = nullptr;
