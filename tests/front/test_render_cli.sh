@@ -15,7 +15,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 golden_arguments() {
     case $1 in
     pyramid) echo pyramid --size 5 --step 40 --width 500 ;;
-    layers) echo coins-gas --size 8 --step 60 --width 500 --structure lazy-compass --all ;;
+    layers) echo coins-gas --size 8 --step 40 --width 500 --structure lazy-compass --all ;;
     why) echo planks --size 60 --step 120 --focus 30 --width 900 ;;
     bare) echo planks --size 60 --step 120 --bare --width 500 ;;
     esac
