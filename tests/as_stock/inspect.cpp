@@ -157,7 +157,7 @@ AS_STOCK("every proof that is shown can be checked by hand, and looking changes 
     shapes::Engine engine(11);
     Tally tally;
     int pairs = 0;
-    for (size_t world = 0; world < test_scaled(60); ++world) {
+    for (size_t world = 0; world < test_scaled(120); ++world) {
         Heard game(run);
         game.world.SetGravity({0.0f, 0.0f});
         std::vector<b2Body *> bodies;
