@@ -41,9 +41,11 @@ template <typename T> T *PerThread() {
         void Take(T *made) const { mine = made; }
     };
     static thread_local Owner owner;
-    if constexpr (kPlain)
-        owner.Take(static_cast<T *>(std::memset(TakeMemory(nullptr, sizeof(T)), 0, sizeof(T))));
-    else
+    if constexpr (kPlain) {
+        constexpr size_t bytes = sizeof(T);
+        void *const memory = TakeMemory(nullptr, bytes);
+        owner.Take(static_cast<T *>(std::memset(memory, 0, bytes)));
+    } else
         owner.Take(new (TakeMemory(nullptr, sizeof(T))) T());
     return mine;
 }
