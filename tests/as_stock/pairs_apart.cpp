@@ -352,10 +352,7 @@ AS_STOCK("memory is given back when contacts end and when the world does") {
         for (int round = 0; round < kRounds; ++round)
             std::make_unique<Needles>(run)->game.Step(3);
     };
-    live();
-    size_t before = BytesInUse();
-    live();
-    run.Expect(LeavesNothing(before, kRounds), "worlds leave nothing behind");
+    run.Expect(LeavesNothing(kRounds, live), "worlds leave nothing behind");
     // In a world that goes on, contacts come and go without end.
     Needles world(run);
     const auto comeAndGo = [&world] {
@@ -368,10 +365,7 @@ AS_STOCK("memory is given back when contacts end and when the world does") {
             world.game.Step(2);
         }
     };
-    comeAndGo();
-    before = BytesInUse();
-    comeAndGo();
-    run.Expect(LeavesNothing(before, kRounds), "contacts that come and go take no more memory");
+    run.Expect(LeavesNothing(kRounds, comeAndGo), "contacts that come and go take no more memory");
 }
 
 AS_STOCK("nothing is allocated for pairs that stay apart") {
