@@ -15,6 +15,14 @@ typedef struct bmr_window {
     unsigned steps; ///< edges that were looked at for it
 } bmr_window;
 
+/// gamma of docs/open-question.md: how much of the gap (beyond what must be proved) a window's corners may
+/// cost within its bracket. More gives wider brackets and fewer rolls, less gives fewer pushes: least events
+/// on a tumbling orbit at 0.3, on a tumbling pass at 0.7, and within some third of the least from 0.2 on.
+#define BMR_WINDOW_PART 0.3
+
+/// The geometry of the free direction, which kds/free_direction.c takes at instants of a known motion and
+/// pair/free_direction.c at sampled poses.
+///
 /// A window of `polygon` around `direction` (unit length), whose support vertex is `support`: the two points
 /// where three consecutive tangents meet, as far apart as keeps each point within `limit` (> 0, length units)
 /// of the polygon. `lean` 0: the middle tangent is the one at `direction`, so that the window is exact there.

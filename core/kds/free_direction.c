@@ -73,9 +73,6 @@
 // Omega(1) or |tau| = Omega(g), of which each doubling of g has O(1): O(log(R/D)).
 #include "kds/free_direction.h"
 
-/// gamma: how much of the gap the window's corners may cost within its bracket.
-#define WINDOW_PART 0.3
-
 /// Which of two bodies' lines is better to have: the one that lasts longer at the rates of this instant;
 /// where these are unknown or tell nothing, the one whose window has the wider bracket.
 static int better_owner(const bmr_kds *kds, const bmr_instant *now, const bmr_windowed_line made[2],
@@ -92,7 +89,7 @@ static int better_owner(const bmr_kds *kds, const bmr_instant *now, const bmr_wi
 
 void bmr_free_direction_lay(const bmr_kds *kds, const bmr_instant *now, bmr_vec2 direction, double gap,
                             int spin, const uint32_t support[2], bmr_windowed_line *line) {
-    const double part = kds->def.window_part > 0.0 ? kds->def.window_part : WINDOW_PART;
+    const double part = kds->def.window_part > 0.0 ? kds->def.window_part : BMR_WINDOW_PART;
     bmr_windowed_line made[2];
     for (int owner = 0; owner < 2; ++owner) {
         bmr_windowed_line_set(&made[owner], kds, &now->pose, owner, direction, support);

@@ -9,11 +9,6 @@
 #include "certificate/window.h"
 #include "pair/step.h"
 
-/// How much of the gap (beyond the need) a window's corners may cost within its bracket. More gives wider
-/// brackets and fewer rolls, less gives fewer pushes: least events on a tumbling orbit at 0.3, on a tumbling
-/// pass at 0.7, and within some third of the least from 0.2 on.
-#define WINDOW_PART 0.3
-
 /// The finest level there is: the polygons themselves.
 #define LEVEL_POLYGONS 0
 
@@ -56,7 +51,7 @@ static bool certify_with(bmr_step *step, const bmr_closest *closest, int owner, 
 
 bool bmr_free_certify(bmr_step *step, const bmr_closest *closest, double *gap) {
     const bmr_vec2 u = closest->direction, v = bmr_unrotate(step->pose, bmr_neg(u));
-    const double limit = WINDOW_PART * (closest->separation - step->reach);
+    const double limit = BMR_WINDOW_PART * (closest->separation - step->reach);
     // B turning one way, the direction turns the other way in B's frame, and with B in A's.
     const int spin = step->pair->spin;
     bmr_window of_a, of_b;
