@@ -9,8 +9,8 @@ function(boomerang_target target)
   set_target_properties(${target} PROPERTIES C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
     CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE room)
-  # What reads options and writes pages, and some tests, are other people's templates mostly.
-  if(room MATCHES "^(testbed_scenes/(driver|drawing|picture|theory)|tests/(contracts|stale|threads))")
+  # What reads options and writes pages, and tests, are other people's templates mostly.
+  if(room MATCHES "^(tools|testbed_scenes/(driver|drawing|picture|theory|worlds)|tests)")
     target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)
   endif()
   if(room MATCHES "^(core|box2d_glue|plugin)" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
