@@ -29,10 +29,11 @@ struct Placed {
     bmr_pose pose;
     double reach;
 
-    explicit Placed(const Mover &mover)
-        : shape(static_cast<const b2PolygonShape *>(mover.fixture->GetShape())),
-          big(AnyBigPolygon() ? BigPolygonOf(*shape) : nullptr), reach(mover.motion.reach) {
-        const b2Transform &xf = mover.body->GetTransform();
+    explicit Placed(const Mover &mover) : Placed(*mover.fixture, mover.motion.reach) {}
+    Placed(const b2Fixture &fixture, double reachOfVertices)
+        : shape(static_cast<const b2PolygonShape *>(fixture.GetShape())),
+          big(AnyBigPolygon() ? BigPolygonOf(*shape) : nullptr), reach(reachOfVertices) {
+        const b2Transform &xf = fixture.GetBody()->GetTransform();
         pose = {{static_cast<double>(xf.p.x), static_cast<double>(xf.p.y)},
                 static_cast<double>(xf.q.c),
                 static_cast<double>(xf.q.s)};
@@ -250,7 +251,14 @@ void ProveApart(Ledger *ledger, uint32_t record, SolidContact *contact) {
     const int band = ledger->GetMovers().Band(ledger->At(record).a, ledger->At(record).b);
     ledger->Prove(record, best.d, best.gap, threshold, KeepsFromImpact(moverA, moverB, band, threshold));
     if (GetSettings().options.statistics)
-        contact->LeaveAlong(best.d);
+        contact->LeaveByLine();
+}
+
+bool SeparatesAlong(const b2Fixture &a, const b2Fixture &b, bmr_vec2 d) {
+    const Placed placed[2] = {Placed(a, 0.0), Placed(b, 0.0)};
+    constexpr int32 kLeast = 3; // a polygon that was never Set has fewer
+    return placed[0].shape->m_count >= kLeast && placed[1].shape->m_count >= kLeast && Normalize(&d) &&
+           GapAlong(placed[0], placed[1], d).gap > 0.0;
 }
 
 } // namespace bmr

@@ -4,6 +4,10 @@
 
 #include <cstdint>
 
+#include "boomerang/vector.h"
+
+class b2Fixture;
+
 namespace bmr {
 
 class Ledger;
@@ -25,6 +29,9 @@ void ProveOverlap(Ledger *ledger, uint32_t record);
 /// How far apart two polygons must be for b2CollidePolygons to give no points, b2TestOverlap to say no, and
 /// (where their sides are long enough) b2TimeOfImpact to find them apart.
 double ApartThreshold(const Ledger &ledger, uint32_t record);
+
+/// Is polygon b beyond polygon a along this direction, of any length, where their bodies are?
+bool SeparatesAlong(const b2Fixture &a, const b2Fixture &b, bmr_vec2 d);
 
 } // namespace bmr
 

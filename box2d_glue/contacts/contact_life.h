@@ -4,8 +4,6 @@
 
 #include <cstdint>
 
-#include "boomerang/pair.h"
-
 namespace bmr {
 
 /// @file
@@ -54,14 +52,6 @@ enum class Held : uint8_t {
     Remembered, ///< the certificate of the last look holds
     Another     ///< another one was found
 };
-
-/// The life after a look, and the event; BMR_EVENT_KIND_COUNT if there is none.
-struct Turn {
-    Life next;
-    bmr_event_kind event;
-    int8_t levelBefore, levelAfter;
-};
-Turn TurnOf(Life life, Held held);
 
 } // namespace bmr
 

@@ -136,14 +136,6 @@ inline Answer ConvexContact::Look(const b2Transform &xfA, const b2Transform &xfB
     return isSame ? Answer::ApartByEdge : Answer::ApartBySearch;
 }
 
-bmr_vec2 ConvexContact::ProvedDirection(const b2Transform &xfA, const b2Transform &xfB) const {
-    const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
-    bmr_convex32_memory memory = state.closest;
-    if (!bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), Margin(), &memory))
-        return {0.0, 0.0};
-    return {static_cast<double>(memory.axis_x), static_cast<double>(memory.axis_y)};
-}
-
 /// For the life of the contact alone: what is asked here changes no memory.
 Held ConvexContact::HeldBy(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const {
     if (answer == Answer::ApartBySearch)
@@ -155,9 +147,12 @@ Held ConvexContact::HeldBy(Answer answer, bool points, const b2Transform &xfA, c
     if (answer == Answer::ApartByEdge)
         return Held::Remembered;
     // The two were taken for touching, and do not touch: no proof was looked for.
-    const bmr_vec2 d = ProvedDirection(xfA, xfB);
-    const bool within = WithinReach(xfA, ReachOf(m_fixtureA)) && WithinReach(xfB, ReachOf(m_fixtureB));
-    return within && (d.x != 0.0 || d.y != 0.0) ? Held::Another : Held::Nothing;
+    const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
+    bmr_convex32_memory memory = state.closest;
+    return WithinReach(xfA, ReachOf(m_fixtureA)) && WithinReach(xfB, ReachOf(m_fixtureB)) &&
+                   bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), Margin(), &memory)
+               ? Held::Another
+               : Held::Nothing;
 }
 
 inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
@@ -175,7 +170,7 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
     }
     if (GetSettings().options.statistics) {
         if (IsOfPolygons() && !PairsAreHulls())
-            Live(HeldBy(answer, manifold->pointCount > 0, xfA, xfB), xfA, xfB);
+            Live(HeldBy(answer, manifold->pointCount > 0, xfA, xfB));
         TellOfAnswer(*this, answer, true);
     }
     if (Verifying() && answer < Answer::HandedOver) {

@@ -32,10 +32,6 @@ public:
     /// That of the last look.
     bmr_vec2 KnownDirection() const override;
 
-    /// The one along which a look at these poses finds the two apart: in the world, from A to B, of any
-    /// length. Zero where it does not.
-    bmr_vec2 ProvedDirection(const b2Transform &xfA, const b2Transform &xfB) const;
-
 private:
     ConvexContact() = default;
     using SolidContact::SolidContact;

@@ -99,7 +99,7 @@ inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, co
         answer = Answer::ApartBySearch;
     if (GetSettings().options.statistics) {
         if (!PairsAreHulls()) // else the structure of the two bodies lives for them
-            Live(HeldBy(answer, edgeFound), xfA, xfB);
+            Live(HeldBy(answer, edgeFound));
         CountAnswer(answer);
     }
     if (Verifying()) {

@@ -68,13 +68,11 @@ public:
     /// last look, by the bodies' structure if it keeps them apart. Zero if there is none. For polygons alone.
     bmr_vec2 GuessDirection() const;
 
-    /// Takes the result of a look at these poses into the contact's life, and reports the event, if it is
-    /// one. Call it if Options::statistics is on, for a contact of polygons. `along`: the direction, in the
-    /// world, from A to B, where the contact does not know it.
-    void Live(Held held, const b2Transform &xfA, const b2Transform &xfB, const bmr_vec2 *along = nullptr);
-
+    /// Takes the result of a look into the contact's life, and reports the event, if it is one. Call it if
+    /// Options::statistics is on, for a contact of polygons.
+    void Live(Held held);
     /// The same of a contact that was handed over, and of which the ledger now has a line.
-    void LeaveAlong(bmr_vec2 d);
+    void LeaveByLine();
     /// The same of a sensor's contact, behind its update by Box2D. `before`: GuessDirection() from ahead of
     /// it.
     void LiveAsSensor(bmr_vec2 before);

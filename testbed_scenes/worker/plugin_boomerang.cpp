@@ -32,9 +32,8 @@ void OnEvent(void *, const b2Body *bodyA, const b2Body *bodyB, const bmr_event &
         observer->OnKineticEvent(*bodyA, *bodyB, bmr_event_name(event.kind));
     if (trace.file == nullptr)
         return;
-    std::fprintf(trace.file, "%d %" PRIu32 " %" PRIu32 " %s %d %d %d %.9g\n", trace.step, NumberOf(*bodyA),
-                 NumberOf(*bodyB), bmr_event_name(event.kind), event.level_before, event.level_after,
-                 static_cast<int>(event.pair->owner), event.gap);
+    std::fprintf(trace.file, "%d %" PRIu32 " %" PRIu32 " %s %d %d\n", trace.step, NumberOf(*bodyA),
+                 NumberOf(*bodyB), bmr_event_name(event.kind), event.level_before, event.level_after);
 }
 
 void OnAnswer(const b2Contact &contact, bmr::Answer answer) {
@@ -45,7 +44,7 @@ void OpenTrace(const std::string &name) {
     trace.file = std::fopen(name.c_str(), "w");
     if (trace.file == nullptr)
         throw std::runtime_error("cannot write " + name + ": " + std::strerror(errno));
-    std::fputs("# step bodyA bodyB kind level_before level_after owner(0=A,1=B) gap\n", trace.file);
+    std::fputs("# step bodyA bodyB kind level_before level_after\n", trace.file);
 }
 
 shown::Vec VecOf(const b2Vec2 &v) {

@@ -67,9 +67,7 @@ struct Options {
     /// look at which the certificate holds, and a budget of motion that is renewed, are no events. Neither is
     /// the end of a contact. If its two fixtures meet again, that begins with START.
     ///
-    /// `event.pair` of a contact is made for the event, and gone when onEvent returns. Its stamp is 0, unlike
-    /// that of a pair of bodies. Its certificate holds at `event.pose`, for bodyA and bodyB in this order.
-    /// (If a polygon's normals are not those of its sides, nothing is certified, and `event.gap` is 0.)
+    /// A contact's event has no pair, no pose and no gap: `event.pair` and `event.pose` are NULL.
     void (*onEvent)(void *context, const b2Body *bodyA, const b2Body *bodyB,
                     const bmr_event &event) = nullptr;
     void *eventContext = nullptr;

@@ -11,13 +11,14 @@ namespace actor {
 
 namespace {
 
-/// What is told is so, wherever it happens: a certificate that proves something holds. (Of polygons whose
-/// normals were edited nothing is certified.)
+/// A certificate of core that an event shows holds, wherever it happens.
 void OnEvent(void *, const b2Body *, const b2Body *, const bmr_event &event) {
+    if (event.pair == nullptr)
+        return;
     double gap = 0.0;
     const bool holds = event.gap > 0.0 ? event.pair->state == BMR_PAIR_APART &&
                                              bmr_pair_check(event.pair, event.pose, 0.0, &gap)
-                                       : event.pair->stamp == 0 || event.kind == BMR_EVENT_CONTACT;
+                                       : event.kind == BMR_EVENT_CONTACT;
     if (!holds) {
         std::fprintf(stderr, "the certificate of a %s does not hold\n", bmr_event_name(event.kind));
         std::abort();
