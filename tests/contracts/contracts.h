@@ -2,106 +2,194 @@
 #ifndef BOOMERANG_TEST_CONTRACTS_H
 #define BOOMERANG_TEST_CONTRACTS_H
 
+#include <climits>
+#include <cmath>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "boomerang/allocator.h"
+#include <doctest/doctest.h>
+
 #include "boomerang/error.h"
+#include "every_allocation.h"
 
 /// @file
-/// Functions, their arguments, and the rule that each argument must keep to. A rule has its bad values and
-/// the answer to them. Every function is called with good values; then with one bad value at a time, which
-/// must give the rule's answer. A function that allocates is called once for each of its allocations, which
-/// fails. The tables of answers.md are printed from this: `PROGRAM PAGE` compares.
+/// One row for each function: a call whose arguments name their bad values where they are handed over.
+///
+///     Row("bmr_polygon_copy", [](Asked &ask) {
+///         bmr_polygon *made = Untouched<bmr_polygon>();
+///         return ask.Says(bmr_polygon_copy(ask.NotNull("polygon", Round().polygon), ask.Allocator(),
+///                                          ask.Result("result", &made)));
+///     });
+///
+/// `Row` makes the call with good arguments, and then once for each bad value, which must give the answer of
+/// its rule. An error must leave all results as they were. A call that takes `Allocator` is also made once
+/// for each of its allocations, which fails.
 
 namespace contracts {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNull = -7.7e-77;                  ///< stands for a pointer that is NULL
-constexpr double kSizeMax = 18446744073709551616.0; ///< stands for SIZE_MAX
 
-/// A value of an argument. Where an argument is no number, the value chooses one, and has a name.
-struct Value {
-    Value(double value) : number(value) {}
-    Value(const char *called, double value) : number(value), name(called) {}
-    double number;
-    std::string name;
+/// What a call answers: the sentence of its error, or words.
+struct Answer {
+    Answer(bmr_error error) : text(bmr_error_describe(error)) {}
+    Answer(const char *words) : text(words) {}
+    Answer(std::string words) : text(std::move(words)) {}
+    std::string text;
 };
+inline const Answer kOk = BMR_OK;
 
-/// The values to which a function gives this answer.
+/// Values that all give one answer.
 struct Rule {
-    std::string name; ///< in the table of rules; empty: a rule of one argument
-    std::vector<Value> values;
-    std::string answer;
+    std::vector<double> values;
+    Answer answer;
 };
 using Rules = std::vector<Rule>;
-Rules operator+(Rules a, const Rules &b);
-/// A rule of one argument alone.
-inline Rules Says(const std::string &answer, std::vector<Value> values) {
-    return {{"", std::move(values), answer}};
+inline Rules operator+(Rules a, const Rules &b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+inline Rules Gives(const Answer &answer, std::vector<double> values) {
+    return {{std::move(values), answer}};
+}
+inline Rules OutOfRange(std::vector<double> values) {
+    return Gives(BMR_ERROR_OUT_OF_RANGE, std::move(values));
+}
+inline const Rules kFinite = Gives(BMR_ERROR_NOT_FINITE, {kNaN, kInfinity, -kInfinity}),
+                   kNumber = OutOfRange({kNaN, kInfinity, -kInfinity}),
+                   kAboveZero = OutOfRange({0.0, -0.0, -1.0}), kNotBelowZero = OutOfRange({-1e-38, -1.0}),
+                   kNotNegative = Gives(BMR_ERROR_NEGATIVE, {-1e-38, -1.0});
+
+/// One call: which of its arguments is bad, and what it must answer then.
+class Asked {
+public:
+    /// @param turn which of the bad values is handed over; SIZE_MAX: none
+    explicit Asked(size_t turn, const bmr_allocator *allocator = nullptr, uint64_t *bits = nullptr)
+        : m_turn(turn), m_allocator(allocator), m_bits(bits) {}
+
+    /// One of several values, of which the first is good.
+    template <typename T> T Or(const char *name, T good, const std::vector<std::pair<T, Answer>> &others) {
+        for (const auto &[bad, answer] : others)
+            if (IsTurn(name, answer))
+                return bad;
+        return good;
+    }
+    double Number(const char *name, double good, const Rules &rules) {
+        for (const Rule &rule : rules)
+            for (const double value : rule.values)
+                if (IsTurn(std::string(name) + " " + std::to_string(value), rule.answer))
+                    return value;
+        return good;
+    }
+    float Float(const char *name, float good, const Rules &rules) {
+        return static_cast<float>(Number(name, good, rules));
+    }
+    template <typename T> T *NotNull(const char *name, T *good) {
+        return IsTurn(std::string("no ") + name, BMR_ERROR_NULL_ARGUMENT) ? nullptr : good;
+    }
+    template <typename T> T *MayBeNull(const char *name, T *good) {
+        return IsTurn(std::string("no ") + name, BMR_OK) ? nullptr : good;
+    }
+    /// A place that must be there, and that an error leaves as it was; the place of an array: its first.
+    template <typename T> T *Result(const char *name, T *place) { return NotNull(name, Watched(place)); }
+    template <typename T> T *Watched(T *place) {
+        const auto *bytes = reinterpret_cast<const unsigned char *>(place);
+        m_watched.push_back({bytes, {bytes, bytes + sizeof *place}});
+        return place;
+    }
+    const bmr_allocator *Allocator() {
+        allocates = true;
+        return m_allocator;
+    }
+    /// Are there allocations that fail? Then a call may do more.
+    bool IsForMemory() const { return m_allocator != nullptr; }
+    /// What was made, which must be the same whenever there is memory.
+    void Made(const void *bytes, size_t size) const {
+        if (m_bits != nullptr)
+            test_hash(m_bits, bytes, size);
+    }
+    /// The answer to an error.
+    std::string Says(bmr_error error) const {
+        const std::string said = Answer(error).text;
+        for (const auto &[place, before] : m_watched)
+            if (error != BMR_OK && std::memcmp(place, before.data(), before.size()) != 0)
+                return said + " - but something is written";
+        return said;
+    }
+
+    bool allocates = false;
+    size_t values = 0; ///< bad ones so far
+    std::string with = "all good", expected;
+
+private:
+    bool IsTurn(const std::string &name, const Answer &answer) {
+        if (values++ != m_turn)
+            return false;
+        with = name;
+        expected = answer.text;
+        return true;
+    }
+    struct Place {
+        const unsigned char *bytes;
+        std::vector<unsigned char> before;
+    };
+    size_t m_turn;
+    const bmr_allocator *m_allocator;
+    uint64_t *m_bits;
+    std::vector<Place> m_watched;
+};
+
+using Call = std::function<std::string(Asked &)>;
+
+inline const Call *trying; ///< whose allocations fail
+
+inline bmr_error Try(const bmr_allocator *allocator, uint64_t *bits) {
+    Asked ask(SIZE_MAX, allocator, bits);
+    const std::string said = (*trying)(ask);
+    return said == kOk.text                           ? BMR_OK
+           : said == Answer(BMR_ERROR_NO_MEMORY).text ? BMR_ERROR_NO_MEMORY
+                                                      : BMR_ERROR_COUNT;
 }
 
-// The rules that arguments have in common. Which answers they give stands in contracts.cpp.
-extern const Rules kNotNull, kMayBeNull, kFinite, kNumber, kAboveZero, kNotBelowZero, kNotNegative, kAbove2;
-
-struct Argument {
-    Argument(const char *called, Rules kept) : name(called), good(1.0), rules(std::move(kept)) {}
-    Argument(const char *called, double value, Rules kept)
-        : name(called), good(value), rules(std::move(kept)) {}
-    std::string name;
-    double good;
-    Rules rules;
-};
-using Arguments = std::vector<Argument>;
-
-/// What one call is made with.
-struct Given {
-    std::vector<double> values; ///< of the arguments, in their order
-    const bmr_allocator *allocator = nullptr;
-    uint64_t *bits = nullptr; ///< a hash of what is made is put here, where there is an allocator
-
-    double operator[](size_t argument) const { return values[argument]; }
-    float Float(size_t argument) const { return static_cast<float>(values[argument]); }
-    size_t Count(size_t argument) const;
-    /// The pointer, or NULL where that is this argument's value.
-    template <typename T> T *Or(size_t argument, T *pointer) const {
-        return values[argument] == kNull ? nullptr : pointer;
+inline void Row(const char *function, const Call &call, const Answer &good = BMR_OK) {
+    CAPTURE(std::string(function));
+    Asked well(SIZE_MAX);
+    CHECK(call(well) == good.text);
+    for (size_t turn = 0; turn < well.values; ++turn) {
+        Asked ask(turn);
+        const std::string said = call(ask);
+        CAPTURE(ask.with);
+        CHECK(said == ask.expected);
     }
-    void Made(const void *bytes, size_t size) const;
-};
-using Call = std::function<std::string(const Given &)>;
+    if (!well.allocates)
+        return;
+    trying = &call;
+    const test_attempt attempt = {function, Try};
+    const char *wrong = test_every_allocation(&attempt);
+    CHECK_MESSAGE(wrong == nullptr, (wrong != nullptr ? wrong : ""));
+    std::printf("allocates: %s\n", function); // for check_allocators.sh
+}
 
-/// The code without BMR_ and ERROR_; and "written" where there is an error and outputs are written.
-std::string Said(bmr_error error, bool written = false);
-std::string Said(bool answer);
-/// "NaN", "infinite", "minus infinity" or "finite".
-std::string Said(double value);
+/// What stays as it is where there is an error.
+template <typename T> T *Untouched() {
+    static T untouched = {};
+    return &untouched;
+}
 
-/// A function whose good call answers `good`.
-void Answers(const std::string &function, const std::string &good, Arguments arguments, Call call);
-/// A function whose good call answers OK.
-void Refuses(const std::string &function, Arguments arguments, Call call);
-/// The same, of a function that allocates from Given::allocator.
-void Makes(const std::string &function, Arguments arguments, Call call);
-/// Its good call allocates: a call that tries harder than that of Refuses.
-void Allocates(const std::string &function, Call call);
+inline size_t Count(double value) {
+    return value >= 18446744073709551616.0 ? SIZE_MAX : static_cast<size_t>(value);
+}
+constexpr double kSizeMax = 18446744073709551616.0; ///< stands for SIZE_MAX
 
-/// A table of answers: a row is a thing that is handed over, a column is a function.
-struct Matrix {
-    std::vector<std::string> columns, rows;
-    std::function<std::string(size_t row, size_t column)> answer;
-    bool alone = true; ///< answers come from child processes: a signal that ends one is the answer
-};
-
-/// What a program checks under one name: functions, which `fill` adds by the calls above, or a matrix. The
-/// page has each matrix, and the rules, behind "<!-- checked: NAME -->".
-struct Table {
-    Table(const char *name, void (*fill)());
-    Table(const char *name, Matrix (*make)());
-};
+inline std::string Word(double value) {
+    return std::isnan(value)      ? "NaN"
+           : std::isfinite(value) ? "finite"
+           : value > 0.0          ? "infinite"
+                                  : "minus infinity";
+}
 
 } // namespace contracts
 

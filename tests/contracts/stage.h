@@ -2,14 +2,10 @@
 #ifndef BOOMERANG_TEST_CONTRACTS_STAGE_H
 #define BOOMERANG_TEST_CONTRACTS_STAGE_H
 
-#include <cmath>
-#include <vector>
-
 #include "boomerang/hierarchy.h"
 #include "boomerang/pair.h"
 #include "boomerang/polygon.h"
 #include "contracts.h"
-#include "convex32/convex32.h"
 
 /// @file
 /// Good objects, which the calls of contracts are made with. A program makes them once.
@@ -25,12 +21,6 @@ inline std::vector<bmr_vec2> Ellipse(size_t count, double width = 1.0, double he
         points.push_back({width * std::cos(angle), height * std::sin(angle)});
     }
     return points;
-}
-inline std::vector<bmr_vec32> Floats(const std::vector<bmr_vec2> &points) {
-    std::vector<bmr_vec32> made;
-    for (const bmr_vec2 &p : points)
-        made.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
-    return made;
 }
 inline bmr_polygon *Polygon(const std::vector<bmr_vec2> &points) {
     bmr_polygon *polygon = nullptr;
@@ -69,46 +59,6 @@ inline const Body &Square() {
 inline const Body &Round() {
     static const Body round(Ellipse(60, 3.0));
     return round;
-}
-/// The same in floats.
-inline const bmr_convex32_block *Convex() {
-    struct Block {
-        bmr_convex32_block *made = nullptr;
-        Block() { bmr_convex32_create(Floats(Ellipse(40)).data(), 40, nullptr, &made); }
-        ~Block() { bmr_convex32_destroy(made, nullptr); }
-    };
-    static const Block block;
-    return block.made;
-}
-
-/// What stays as it is where there is an error.
-template <typename T> T *Untouched() {
-    static T untouched = {};
-    return &untouched;
-}
-
-/// What a maker of a polygon says.
-inline std::string MadePolygon(const Given &given, bmr_error error, bmr_polygon *made) {
-    if (error != BMR_OK)
-        return Said(error, made != Untouched<bmr_polygon>());
-    given.Made(made->vertices, made->count * sizeof *made->vertices);
-    given.Made(&made->center, sizeof made->center);
-    bmr_polygon_destroy(made, given.allocator);
-    return Said(error);
-}
-
-/// What a maker of a hierarchy says, which starts from a result of NULL.
-inline std::string MadeHierarchy(const Given &given, bmr_error error, bmr_hierarchy *made) {
-    if (error != BMR_OK)
-        return Said(error, made != nullptr);
-    for (bmr_edge edge = 0; edge < bmr_hierarchy_edge_count(made); ++edge) {
-        const bmr_line line = bmr_hierarchy_line(made, edge);
-        const bmr_boomerang boomerang = bmr_hierarchy_boomerang(made, edge);
-        given.Made(&line, sizeof line);
-        given.Made(&boomerang, sizeof boomerang);
-    }
-    bmr_hierarchy_destroy(made, given.allocator);
-    return Said(error);
 }
 
 } // namespace contracts
