@@ -23,9 +23,7 @@ namespace internal {
 /// own. Where an archive with all of this (boomerang_accelerate) is linked behind libboomerang_box2d.so,
 /// which has the interface, too, a linker would leave that part out, and its calls would go to the library.
 void LinkOfConvexOutlines();
-void LinkOfInspect();
 void LinkOfOutlineShape();
-void LinkOfSlack();
 void LinkOfStatistics();
 
 } // namespace internal

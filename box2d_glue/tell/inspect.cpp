@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/inspect.h"
+#include "tell/inspect.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <utility>
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 
 #include "contacts/polygon_contact.h"
-#include "proofs/face_gap.h"
+#include "convex32/convex32_collide.h"
 #include "proofs/polygon_view.h"
+#include "proofs/thresholds.h"
 #include "start/reach.h"
 #include "start/settings.h"
 #include "world/ledger.h"
 #include "world/ledgers.h"
 
 namespace bmr {
+
+using internal::Proof;
 
 namespace {
 
@@ -43,224 +44,211 @@ bool IsSolidPolygon(const b2Fixture &fixture) {
     return fixture.GetType() == b2Shape::e_polygon && !fixture.IsSensor();
 }
 
-void SetSupport(ProofSide *side, const b2Vec2 &point) {
-    side->support = side->window[0] = side->window[1] = point;
-}
+// The structure of two hulls.
 
 /// A hierarchy's own level for a level of the pair: where one is deeper, the other's polygon stays.
 uint32_t LevelOf(const bmr_hierarchy &hierarchy, int32_t level) {
     return std::min(static_cast<uint32_t>(std::max(level, 0)), bmr_hierarchy_depth(&hierarchy));
 }
 
-void FillDisks(const HullPair &pair, const bmr_pair &kinetic, ProofSide *a, ProofSide *b, Proof *proof) {
-    proof->kind = ProofKind::Disks;
-    SetSupport(a, FromCertificate(kinetic.certificate.normal));
-    SetSupport(b, FromCertificate(kinetic.certificate.window[0]));
-    a->diskRadius = static_cast<float>(pair.a->Shape().polygon->radius);
-    b->diskRadius = static_cast<float>(pair.b->Shape().polygon->radius);
-}
+/// Two hulls of a proof: the first one is the owner's. `sides`: of which fixture of the contact each is.
+struct TwoHulls {
+    const Hull &own, &other;
+    int sides[2];
+};
 
 /// The pair remembers which vertex of the other was the nearest when the direction was taken; by now it may
 /// be another.
-void FillDirection(const bmr_polygon &own, const bmr_polygon &others, const bmr_pair &kinetic,
-                   ProofSide *owner, ProofSide *other, Proof *proof) {
-    proof->kind = ProofKind::Direction;
-    const b2Vec2 facing = other->body->GetLocalVector(
-        owner->body->GetWorldVector(-FromCertificate(kinetic.certificate.normal)));
+void FillDirection(const TwoHulls &hulls, const bmr_pair &kinetic, Proof *proof) {
+    proof->kind = "direction";
+    const b2Vec2 facing = hulls.other.Body()->GetLocalVector(
+        hulls.own.Body()->GetWorldVector(-FromCertificate(kinetic.certificate.normal)));
     const bmr_vec2 way = {static_cast<double>(facing.x), static_cast<double>(facing.y)};
-    SetSupport(owner, Float(own.vertices[kinetic.edge]));
-    SetSupport(other, Float(others.vertices[bmr_polygon_support_from(&others, way, kinetic.other)]));
-    for (int i = 0; i < 2; ++i)
-        other->window[i] = FromCertificate(kinetic.certificate.window[i]);
+    const bmr_polygon &own = *hulls.own.Shape().polygon, &other = *hulls.other.Shape().polygon;
+    proof->supports[hulls.sides[0]] = Float(own.vertices[kinetic.edge]);
+    proof->supports[hulls.sides[1]] =
+        Float(other.vertices[bmr_polygon_support_from(&other, way, kinetic.other)]);
 }
 
-void FillEdgeLine(const bmr_hierarchy &own, const bmr_hierarchy &others, const bmr_pair &kinetic,
-                  ProofSide *owner, ProofSide *other, Proof *proof) {
-    proof->kind = ProofKind::EdgeLine;
+void FillEdgeLine(const TwoHulls &hulls, const bmr_pair &kinetic, Proof *proof) {
+    proof->kind = "edge-line";
     proof->level = kinetic.level;
+    const bmr_hierarchy &own = *hulls.own.Hierarchy(), &other = *hulls.other.Hierarchy();
     const uint32_t level = LevelOf(own, kinetic.level);
     const bmr_corner ends[2] = {bmr_hierarchy_corner_before(&own, kinetic.edge, level),
                                 bmr_hierarchy_corner_after(&own, kinetic.edge, level)};
     for (int i = 0; i < 2; ++i)
         proof->edge[i] = Float(bmr_hierarchy_corner_point(&own, ends[i]));
-    const bmr_corner facing = bmr_hierarchy_corner(&others, kinetic.other, kinetic.other_after);
-    SetSupport(owner, proof->edge[0]);
-    SetSupport(other, Float(bmr_hierarchy_corner_point(&others, facing)));
+    const bmr_corner facing = bmr_hierarchy_corner(&other, kinetic.other, kinetic.other_after);
+    proof->supports[hulls.sides[0]] = proof->edge[0];
+    proof->supports[hulls.sides[1]] = Float(bmr_hierarchy_corner_point(&other, facing));
 }
 
-/// With Options::pairsBy: the proof of the bodies' structure at their poses. False if it proves nothing.
-bool AskHulls(const b2Contact &contact, Proof *proof) {
+/// With Options::pairsBy: what the bodies' structure proves at their poses.
+void AskHulls(const b2Contact &contact, Proof *proof) {
     Ledger *const ledger = FindLedger(&contact.GetFixtureA()->GetBody()->GetWorld()->GetContactManager());
     const HullPair *const pair =
         ledger != nullptr ? ledger->GetHullPairs().Find(ledger->NumberOf(&contact)) : nullptr;
     double gap = 0.0;
     const bmr_pair kinetic = pair != nullptr ? KineticPairNow(*pair, &gap) : bmr_pair{};
     if (!(gap > 0.0))
-        return false;
-    const bool swapped = pair->IsSwapped(contact);
-    ProofSide *sides[2] = {swapped ? &proof->b : &proof->a, swapped ? &proof->a : &proof->b};
-    const Hull *hulls[2] = {pair->a, pair->b};
-    for (int i = 0; i < 2; ++i)
-        sides[i]->fixture = hulls[i]->Fixture();
-    const int owner = kinetic.owner;
-    if (kinetic.level == BMR_LEVEL_DISKS) {
-        FillDisks(*pair, kinetic, sides[0], sides[1], proof);
-    } else {
-        const Hull &own = *hulls[owner], &others = *hulls[1 - owner];
-        if (own.Hierarchy() == nullptr || others.Hierarchy() == nullptr || kinetic.free != 0)
-            FillDirection(*own.Shape().polygon, *others.Shape().polygon, kinetic, sides[owner],
-                          sides[1 - owner], proof);
-        else
-            FillEdgeLine(*own.Hierarchy(), *others.Hierarchy(), kinetic, sides[owner], sides[1 - owner],
-                         proof);
-        proof->normal = FromCertificate(kinetic.certificate.normal);
-        proof->ownerIsB = (owner == 1) != swapped;
-    }
+        return;
+    const int first = pair->IsSwapped(contact) ? 1 : 0; // the side of the pair's first hull
     proof->slack = Slack(gap);
-    // Has the advance changed anything? Bits will do. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
-    proof->remembered = std::memcmp(&kinetic, &pair->kinetic, sizeof kinetic) == 0;
     proof->structure = pair;
-    return true;
+    proof->fixtures[first] = pair->a->Fixture();
+    proof->fixtures[1 - first] = pair->b->Fixture();
+    if (kinetic.level == BMR_LEVEL_DISKS) {
+        proof->kind = "disks";
+        proof->supports[first] = FromCertificate(kinetic.certificate.normal);
+        proof->supports[1 - first] = FromCertificate(kinetic.certificate.window[0]);
+        proof->radii[first] = static_cast<float>(pair->a->Shape().polygon->radius);
+        proof->radii[1 - first] = static_cast<float>(pair->b->Shape().polygon->radius);
+        return;
+    }
+    proof->owner = kinetic.owner == 0 ? first : 1 - first;
+    proof->normal = FromCertificate(kinetic.certificate.normal);
+    const Hull *const hulls[2] = {pair->a, pair->b};
+    const TwoHulls two = {*hulls[kinetic.owner], *hulls[1 - kinetic.owner], {proof->owner, 1 - proof->owner}};
+    if (two.own.Hierarchy() == nullptr || two.other.Hierarchy() == nullptr || kinetic.free != 0)
+        FillDirection(two, kinetic, proof);
+    else
+        FillEdgeLine(two, kinetic, proof);
 }
 
-const b2PolygonShape &ShapeOf(const b2Fixture &fixture) {
-    return static_cast<const b2PolygonShape &>(*fixture.GetShape());
+// An edge of one of the two fixtures.
+
+/// The separation of a polygon fixture from another's polygon along an edge of its own.
+struct FaceGap {
+    float separation; ///< as Box2D computes it
+    int32_t edge;
+};
+
+bmr_polygon32 SmallPolygon(const b2Fixture &fixture) {
+    return Polygon32(static_cast<const b2PolygonShape &>(*fixture.GetShape()));
 }
 
-/// In Box2D's sense.
-bool Separates(const FaceGap &gap, const b2Fixture &owner, const b2Fixture &other) {
-    return gap.separation > ShapeOf(owner).m_radius + ShapeOf(other).m_radius;
+bmr_transform32 FrameOf(const b2Fixture &owner, const b2Fixture &other) {
+    return bmr_exact32_relative(Transform32(other.GetBody()->GetTransform()),
+                                Transform32(owner.GetBody()->GetTransform()));
 }
 
-/// If the edge separates the two, it is the proof.
-bool AskEdge(const FaceGap &gap, const b2Fixture &owner, const b2Fixture &other, bool ofB, Proof *proof) {
-    if (!Separates(gap, owner, other))
-        return false;
+/// Along the edge of the owner that has the largest; of the real polygons if one of them is big.
+FaceGap LargestFaceGap(const b2Fixture &owner, const b2Fixture &other) {
+    const bmr_transform32 frame = FrameOf(owner, other);
+    if (!IsBig(owner) && !IsBig(other)) { // to the bit
+        const bmr_polygon32 own = SmallPolygon(owner), others = SmallPolygon(other);
+        int32_t edge = 0;
+        const float separation = bmr_exact32_max_separation(&own, &others, &frame, &edge);
+        return {separation, edge};
+    }
     const bmr_convex32 own = RealPolygon(owner), others = RealPolygon(other);
+    uint32_t edge = 0, vertex = 0;
+    const float separation = bmr_convex32_max_separation(&own, &others, &frame, 0, &edge, &vertex);
+    return {separation, static_cast<int32_t>(edge)};
+}
+
+/// How far the owner's own vertices lie beyond the line of its edge, in units of the normal: nowhere but by
+/// rounding, unless vertices or normals were edited in place. A NaN makes it infinite.
+double Overhang(const bmr_convex32 &owner, int32_t edge) {
+    const bmr_vec32 &n = owner.normals[edge], &foot = owner.vertices[edge];
+    constexpr float kLongest = 1.0f + 1e-5f; // of a square; a shorter normal makes separations smaller
+    if (!(n.x * n.x + n.y * n.y <= kLongest))
+        return INFINITY;
+    float most = 0.0f;
+    for (uint32_t i = 0; i < owner.count; ++i) {
+        const float beyond = n.x * (owner.vertices[i].x - foot.x) + n.y * (owner.vertices[i].y - foot.y);
+        if (!(beyond <= most))
+            most = beyond;
+    }
+    return static_cast<double>(most);
+}
+
+/// If the edge separates the two in Box2D's sense, it is the proof. Its slack is the separation less what its
+/// arithmetic may be off by (proofs/README.md).
+bool AskEdge(const FaceGap &gap, const b2Fixture *const (&fixtures)[2], int owner, Proof *proof) {
+    const b2Fixture &mine = *fixtures[owner], &theirs = *fixtures[1 - owner];
+    if (!(gap.separation > mine.GetShape()->m_radius + theirs.GetShape()->m_radius))
+        return false;
+    const bmr_convex32 own = RealPolygon(mine), others = RealPolygon(theirs);
     const auto first = static_cast<uint32_t>(gap.edge), second = first + 1 == own.count ? 0 : first + 1;
-    proof->kind = ProofKind::RememberedEdge;
-    proof->ownerIsB = ofB;
+    proof->kind = "remembered-edge";
+    proof->owner = owner;
     proof->normal = FromPolygon(own.normals[first]);
     proof->edge[0] = FromPolygon(own.vertices[first]);
     proof->edge[1] = FromPolygon(own.vertices[second]);
-    proof->slack = Slack(gap.proved);
-    proof->a.fixture = ofB ? &other : &owner;
-    proof->b.fixture = ofB ? &owner : &other;
+    const bmr_vec32 between = FrameOf(mine, theirs).p;
+    const double distance = std::hypot(static_cast<double>(between.x), static_cast<double>(between.y));
+    if (distance + Extent(own) + Extent(others) < kReach)
+        proof->slack = Slack(static_cast<double>(gap.separation) - kRoundingMargin - Overhang(own, gap.edge));
     const b2Vec2 facing =
-        b2MulT(other.GetBody()->GetTransform().q, b2Mul(owner.GetBody()->GetTransform().q, -proof->normal));
-    const uint32_t nearest = bmr_convex32_support(&others, *Vectors32(&facing));
-    SetSupport(ofB ? &proof->b : &proof->a, proof->edge[0]);
-    SetSupport(ofB ? &proof->a : &proof->b, FromPolygon(others.vertices[nearest]));
+        b2MulT(theirs.GetBody()->GetTransform().q, b2Mul(mine.GetBody()->GetTransform().q, -proof->normal));
+    proof->supports[owner] = proof->edge[0];
+    proof->supports[1 - owner] =
+        FromPolygon(others.vertices[bmr_convex32_support(&others, *Vectors32(&facing))]);
+    for (int i = 0; i < 2; ++i)
+        proof->fixtures[i] = fixtures[i];
     return true;
 }
 
-bool AskRememberedEdge(const PolygonContact &contact, Proof *proof) {
+bool AskRememberedEdge(const PolygonContact &contact, const b2Fixture *const (&fixtures)[2], Proof *proof) {
     const EdgeMemory &memory = contact.state.edge;
-    const bool ofB = memory.ofB;
-    const b2Fixture &owner = ofB ? *contact.GetFixtureB() : *contact.GetFixtureA();
-    const b2Fixture &other = ofB ? *contact.GetFixtureA() : *contact.GetFixtureB();
-    if (memory.number >= ShapeOf(owner).m_count || IsBig(owner) || IsBig(other))
+    const int owner = memory.ofB ? 1 : 0;
+    const b2Fixture &mine = *fixtures[owner], &theirs = *fixtures[1 - owner];
+    const bmr_polygon32 own = SmallPolygon(mine), others = SmallPolygon(theirs);
+    if (IsBig(mine) || IsBig(theirs) || memory.number >= own.count)
         return false;
-    proof->remembered = AskEdge(FaceGapAlong(memory.number, owner, other), owner, other, ofB, proof);
-    return proof->remembered;
-}
-
-bool SearchEdge(const b2Contact &contact, Proof *proof) {
-    const b2Fixture &a = *contact.GetFixtureA(), &b = *contact.GetFixtureB();
-    return AskEdge(LargestFaceGap(a, b), a, b, false, proof) ||
-           AskEdge(LargestFaceGap(b, a), b, a, true, proof);
+    const bmr_transform32 frame = FrameOf(mine, theirs);
+    return AskEdge({bmr_exact32_edge_separation(&own, memory.number, &others, &frame), memory.number},
+                   fixtures, owner, proof);
 }
 
 /// In the order of PolygonContact::Ask, and of ConvexContact's, which remembers vertices and no edge.
-void Ask(const SolidContact &contact, const PolygonContact *ofSmall, Proof *proof) {
-    if (PairsAreHulls())
-        AskHulls(contact, proof);
-    else if (ofSmall == nullptr || !AskRememberedEdge(*ofSmall, proof))
-        SearchEdge(contact, proof);
-}
-
-int32_t CopyVertices(const bmr_polygon &polygon, b2Vec2 *vertices, int32_t capacity) {
-    const auto count = static_cast<int32_t>(polygon.count);
-    for (int32_t i = 0; i < std::min(count, capacity); ++i)
-        vertices[i] = Float(polygon.vertices[i]);
-    return count;
-}
-
-int32_t CopyEnvelope(const bmr_hierarchy &hierarchy, uint32_t level, b2Vec2 *vertices, int32_t capacity) {
-    int32_t count = 0;
-    bmr_edge edge = 0;
-    do {
-        const bmr_corner corner = bmr_hierarchy_corner_after(&hierarchy, edge, level);
-        if (count < capacity)
-            vertices[count] = Float(bmr_hierarchy_corner_point(&hierarchy, corner));
-        ++count;
-        edge = corner.after;
-    } while (edge != 0); // a root: on every level
-    return count;
+void AskEdges(const b2Contact &contact, Proof *proof) {
+    const b2Fixture *const fixtures[2] = {contact.GetFixtureA(), contact.GetFixtureB()};
+    const PolygonContact *const small = PolygonContact::AsOurs(&contact);
+    if (small != nullptr && AskRememberedEdge(*small, fixtures, proof))
+        return;
+    for (int owner = 0; owner < 2; ++owner)
+        if (AskEdge(LargestFaceGap(*fixtures[owner], *fixtures[1 - owner]), fixtures, owner, proof))
+            return;
 }
 
 } // namespace
 
-const char *NameOf(ProofKind kind) {
-    switch (kind) {
-    case ProofKind::None:
-        return "none";
-    case ProofKind::Disks:
-        return "disks";
-    case ProofKind::EdgeLine:
-        return "edge-line";
-    case ProofKind::Direction:
-        return "direction";
-    case ProofKind::RememberedEdge:
-        return "remembered-edge";
-    case ProofKind::Count:
-        break;
-    }
-    return nullptr;
-}
-
-Proof Inspect(const b2Contact &contact) {
+Proof internal::Inspect(const b2Contact &contact) {
     Proof proof;
-    const b2Fixture *a = contact.GetFixtureA(), *b = contact.GetFixtureB();
-    proof.a.body = a->GetBody();
-    proof.b.body = b->GetBody();
-    const SolidContact *ours = SolidContact::AsOurs(const_cast<b2Contact *>(&contact));
-    const bool touched = contact.GetManifold()->pointCount > 0;
-    if (ours != nullptr && !touched && IsSolidPolygon(*a) && IsSolidPolygon(*b))
-        Ask(*ours, PolygonContact::AsOurs(&contact), &proof);
+    if (SolidContact::AsOurs(&contact) == nullptr || contact.GetManifold()->pointCount > 0 ||
+        !IsSolidPolygon(*contact.GetFixtureA()) || !IsSolidPolygon(*contact.GetFixtureB()))
+        return proof;
+    if (PairsAreHulls())
+        AskHulls(contact, &proof);
+    else
+        AskEdges(contact, &proof);
     return proof;
 }
 
-Proof Inspect(const b2Body *bodyA, const b2Body *bodyB) {
-    Proof least;
-    bool any = false;
-    for (const b2ContactEdge *edge = bodyA != nullptr ? bodyA->GetContactList() : nullptr; edge != nullptr;
-         edge = edge->next) {
-        const b2Contact &contact = *edge->contact;
-        if (edge->other != bodyB || !IsSolidPolygon(*contact.GetFixtureA()) ||
-            !IsSolidPolygon(*contact.GetFixtureB()))
-            continue;
-        const Proof proof = Inspect(contact);
-        if (!any || proof.kind == ProofKind::None ||
-            (least.kind != ProofKind::None && proof.slack < least.slack))
-            least = proof;
-        any = true;
-    }
-    return least;
-}
-
-int32_t InspectHull(const Proof &proof, bool ofB, int32_t level, b2Vec2 *vertices, int32_t capacity) {
+std::vector<b2Vec2> internal::InspectHull(const b2Contact &contact, const Proof &proof, int side,
+                                          int32_t level) {
+    std::vector<b2Vec2> vertices;
     const auto *pair = static_cast<const HullPair *>(proof.structure);
     if (pair == nullptr)
-        return 0;
-    const b2Body *body = ofB ? proof.b.body : proof.a.body;
-    const Hull &hull = pair->a->Body() == body ? *pair->a : *pair->b;
+        return vertices;
+    const Hull &hull = pair->IsSwapped(contact) != (side == 1) ? *pair->b : *pair->a;
     const bmr_hierarchy *hierarchy = hull.Hierarchy();
-    if (hierarchy == nullptr || level == kHullLevel)
-        return CopyVertices(*hull.Shape().polygon, vertices, capacity);
-    return CopyEnvelope(*hierarchy, LevelOf(*hierarchy, level), vertices, capacity);
+    if (hierarchy == nullptr || level == kHullLevel) {
+        const bmr_polygon &polygon = *hull.Shape().polygon;
+        for (uint32_t i = 0; i < polygon.count; ++i)
+            vertices.push_back(Float(polygon.vertices[i]));
+        return vertices;
+    }
+    bmr_edge edge = 0;
+    do {
+        const bmr_corner corner = bmr_hierarchy_corner_after(hierarchy, edge, LevelOf(*hierarchy, level));
+        vertices.push_back(Float(bmr_hierarchy_corner_point(hierarchy, corner)));
+        edge = corner.after;
+    } while (edge != 0); // a root: on every level
+    return vertices;
 }
-
-void internal::LinkOfInspect() {}
 
 } // namespace bmr

@@ -14,6 +14,7 @@
 
 #include "stage.h"
 #include "tell/event.h"
+#include "tell/inspect.h"
 
 namespace testbed {
 namespace {
@@ -49,17 +50,6 @@ void OpenTrace(const std::string &name) {
 
 shown::Vec VecOf(const b2Vec2 &v) {
     return {v.x, v.y};
-}
-
-void CopySide(const bmr::ProofSide &side, std::size_t index, shown::Proof *proof) {
-    if (side.fixture != nullptr)
-        proof->fixtures[index] = static_cast<int>(NumberOf(*side.fixture));
-    if (proof->kind == "disks") {
-        proof->centres[index] = VecOf(side.support);
-        proof->radii[index] = side.diskRadius;
-    } else if (proof->kind == "direction") {
-        proof->supports[index] = VecOf(side.support);
-    }
 }
 
 bool IsToldToBeOff() {
@@ -132,42 +122,41 @@ nlohmann::json PluginStatistics() {
 }
 
 ShownProof ShowProof(const b2Contact &contact) {
-    const bmr::Proof found = bmr::Inspect(contact);
+    const bmr::internal::Proof found = bmr::internal::Inspect(contact);
     ShownProof shown;
     shown::Proof &proof = shown.proof;
-    proof.kind = bmr::NameOf(found.kind);
-    if (found.kind == bmr::ProofKind::None)
+    proof.kind = found.kind;
+    if (proof.kind == "none")
         return shown;
     shown.structure = found.structure;
     proof.slack = found.slack;
-    CopySide(found.a, 0, &proof);
-    CopySide(found.b, 1, &proof);
-    if (found.kind == bmr::ProofKind::Disks)
-        return shown;
-    const bmr::ProofSide &other = found.ownerIsB ? found.a : found.b;
-    proof.owner = found.ownerIsB ? 1 : 0;
-    proof.normal = VecOf(found.normal);
-    if (found.kind != bmr::ProofKind::Direction) {
-        proof.level = found.level;
-        proof.edge = {VecOf(found.edge[0]), VecOf(found.edge[1])};
-        proof.opposite = VecOf(other.support);
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (found.fixtures[side] != nullptr)
+            proof.fixtures[side] = static_cast<int>(NumberOf(*found.fixtures[side]));
+        if (proof.kind == "disks")
+            proof.centres[side] = VecOf(found.supports[side]);
+        else if (proof.kind == "direction")
+            proof.supports[side] = VecOf(found.supports[side]);
+        proof.radii[side] = found.radii[side];
     }
+    proof.owner = found.owner;
+    proof.level = found.level;
+    proof.normal = VecOf(found.normal);
+    proof.edge = {VecOf(found.edge[0]), VecOf(found.edge[1])};
+    if (proof.kind != "disks" && proof.kind != "direction")
+        proof.opposite = VecOf(found.supports[1 - found.owner]);
     return shown;
 }
 
 std::array<std::vector<shown::Vec>, 2> ShowHulls(const b2Contact &contact, bool envelope) {
-    const bmr::Proof found = bmr::Inspect(contact);
+    const bmr::internal::Proof found = bmr::internal::Inspect(contact);
     std::array<std::vector<shown::Vec>, 2> hulls;
-    if (envelope && found.kind != bmr::ProofKind::EdgeLine)
+    if (envelope && std::strcmp(found.kind, "edge-line") != 0)
         return hulls;
-    const int32_t level = envelope ? found.level : bmr::kHullLevel;
-    for (const bool ofB : {false, true}) {
-        const int32_t count = bmr::InspectHull(found, ofB, level, nullptr, 0);
-        std::vector<b2Vec2> vertices(static_cast<std::size_t>(count));
-        bmr::InspectHull(found, ofB, level, vertices.data(), count);
-        for (const b2Vec2 &vertex : vertices)
-            hulls[ofB ? 1 : 0].push_back(VecOf(vertex));
-    }
+    const int32_t level = envelope ? found.level : bmr::internal::kHullLevel;
+    for (const int side : {0, 1})
+        for (const b2Vec2 &vertex : bmr::internal::InspectHull(contact, found, side, level))
+            hulls[static_cast<std::size_t>(side)].push_back(VecOf(vertex));
     return hulls;
 }
 

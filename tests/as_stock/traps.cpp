@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The traps that Box2D lays for whoever keeps state about its bodies: shapes and poses that change
 // unannounced.
+#include "tell/inspect.h"
 #include "yard.h"
 
 using namespace as_stock;
@@ -124,7 +125,7 @@ AS_STOCK("no structure vouches for a body that is far from its own origin, be it
         game.Stage(game.world.GetContactCount() >= 2 && game.Touching() == 0, "contacts, apart");
         int vouched = 0;
         for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-            vouched += run.HasPlugin() && bmr::Inspect(*c).structure != nullptr;
+            vouched += run.HasPlugin() && bmr::internal::Inspect(*c).structure != nullptr;
         run.Expect(vouched == 0, "edges at most");
     }
 }

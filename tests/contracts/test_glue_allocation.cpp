@@ -11,7 +11,6 @@
 #include "base/column.h"
 #include "boomerang/contact_recorder.h"
 #include "boomerang/convex_shape.h"
-#include "boomerang/inspect.h"
 #include "box2d_shapes.h"
 #include "start/settings.h"
 

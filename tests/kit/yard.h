@@ -3,7 +3,6 @@
 #define BOOMERANG_TEST_YARD_H
 
 #include "as_stock.h"
-#include "boomerang/inspect.h"
 #include "start/current_step.h"
 
 /// @file

@@ -121,13 +121,6 @@ struct Statistics {
 };
 BMR_BOX2D_API Statistics GetStatistics();
 
-/// A certified distance between the solid polygon fixtures of two bodies at their present poses: a lower
-/// bound of the true distance of the polygons (radii not subtracted; sensors do not count). 0 if nothing is
-/// proved, or if they touch. It is of the vertices as they are, also if a game changed these in place and
-/// left the normals. Bodies of different worlds: 0. O(fixtures of one times fixtures of the other); does not
-/// change the simulation.
-BMR_BOX2D_API float CertifiedSlack(const b2Body *bodyA, const b2Body *bodyB);
-
 /// Drops all that the library remembers of this world. The world's next step begins anew, with the same bits;
 /// it costs about as much as one step without the plugin. Call it between steps, on the thread that uses the
 /// world; nullptr, and a world of which nothing is remembered, are allowed.

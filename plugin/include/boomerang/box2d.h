@@ -17,7 +17,6 @@
 
 #include "boomerang/box2d_glue.h"
 #include "boomerang/convex_shape.h"
-#include "boomerang/inspect.h"
 #include "boomerang/outline_shape.h"
 
 namespace bmr {

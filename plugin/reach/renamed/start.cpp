@@ -32,8 +32,7 @@ namespace {
 // (Install may be called before the first step.)
 [[maybe_unused]] const bool told =
     (SetWay("compiled with Box2D", nullptr), SetBox2DAsserts(stock::Asserts()), SetBox2DFails(stock::Fails),
-     internal::LinkOfConvexOutlines(), internal::LinkOfInspect(), internal::LinkOfOutlineShape(),
-     internal::LinkOfSlack(), internal::LinkOfStatistics(), true);
+     internal::LinkOfConvexOutlines(), internal::LinkOfOutlineShape(), internal::LinkOfStatistics(), true);
 
 } // namespace
 

@@ -7,6 +7,8 @@
 
 #include <boomerang/box2d.h>
 
+#include "tell/inspect.h"
+
 namespace actor {
 
 namespace {
@@ -39,11 +41,9 @@ bool Install() {
 void Look(b2World &world) {
     for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
          contact = contact->GetNext()) {
-        const bmr::Proof proof = bmr::Inspect(*contact);
-        b2Vec2 corners[16];
-        bmr::InspectHull(proof, false, 0, corners, 16);
-        bmr::InspectHull(proof, true, bmr::kHullLevel, corners, 16);
-        bmr::CertifiedSlack(contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody());
+        const bmr::internal::Proof proof = bmr::internal::Inspect(*contact);
+        bmr::internal::InspectHull(*contact, proof, 0, 0);
+        bmr::internal::InspectHull(*contact, proof, 1, bmr::internal::kHullLevel);
     }
 }
 
