@@ -18,11 +18,6 @@
 namespace testbed {
 namespace {
 
-/// `events`: a count for each kind.
-bool HasNoEvents(const nlohmann::json &events) {
-    return std::all_of(events.begin(), events.end(), [](const nlohmann::json &count) { return count == 0; });
-}
-
 void PrintNumbers(std::ostream &out, const nlohmann::json &json, const std::string &prefix) {
     constexpr int kNameWidth = 28;
     for (const auto &[key, value] : json.items()) {
@@ -80,15 +75,8 @@ const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::stri
                      " (boomerang-testbed list shows all)");
 }
 
-int Execute(const ListCommand &command, const Workers &workers) {
+int List(const Workers &workers) {
     const std::vector<SceneInfo> scenes = workers.List();
-    if (command.json) {
-        nlohmann::json json = nlohmann::json::array();
-        for (const SceneInfo &scene : scenes)
-            json.push_back(ToJson(scene));
-        std::cout << json.dump(2) << '\n';
-        return kExitOk;
-    }
     const bool colour = WantsColour(STDOUT_FILENO);
     size_t width = 0;
     for (const SceneInfo &scene : scenes)
@@ -110,19 +98,12 @@ int Execute(const ListCommand &command, const Workers &workers) {
 }
 
 int Execute(const RunCommand &command, const Workers &workers) {
-    if (!command.plugin && !command.trace.empty())
-        throw UsageError("--trace shows what the plugin does: it needs --plugin on");
     const SceneInfo scene = FindScene(workers.List(), command.scene);
     WorkerRequest request;
     request.side = command.plugin ? Side::Plugin : StockFor(scene);
     request.scene = scene.name;
     request.steps = command.steps.value_or(scene.steps);
     request.mode = command.hash ? "hash" : command.time ? "time" : "count";
-    if (!command.trace.empty()) {
-        WholeFile::Check(command.trace);
-        request.extra = {"--trace", command.trace};
-    }
-
     nlohmann::json summary;
     const auto process = workers.Start(request, command.worker, [&](const std::string &line) {
         if (IsSummaryLine(line)) {
@@ -145,8 +126,6 @@ int Execute(const RunCommand &command, const Workers &workers) {
         std::cout << summary.dump(2) << '\n';
     else
         PrintNumbers(std::cout, summary, "");
-    if (!command.trace.empty() && summary.contains("plugin") && HasNoEvents(summary["plugin"]["events"]))
-        std::cerr << "note: the trace is empty: no two polygons came near each other\n";
     return kExitOk;
 }
 
@@ -167,7 +146,7 @@ void CheckPerturb(const std::vector<SceneInfo> &scenes, const CompareOptions &op
 int Execute(const CompareCommand &command, const Workers &workers) {
     const std::vector<SceneInfo> scenes = SelectScenes(workers.List(), command.scenes);
     CheckPerturb(scenes, command.options);
-    OutputFile json(command.json), csv(command.csv), markdown(command.markdown);
+    OutputFile markdown(command.markdown);
     const bool colour = WantsColour(STDOUT_FILENO);
     const int runsPerScene = RunsPerScene(workers, command.options);
 
@@ -196,14 +175,6 @@ int Execute(const CompareCommand &command, const Workers &workers) {
     PrintVerdict(std::cout, results, colour);
     if (!command.quiet && hasFigures)
         PrintTables(std::cout, results, command.options, command.details, colour);
-    if (json.IsWanted()) {
-        WriteJson(json.Stream(), results, command.options);
-        json.Close();
-    }
-    if (csv.IsWanted()) {
-        WriteCsv(csv.Stream(), results);
-        csv.Close();
-    }
     if (markdown.IsWanted()) {
         WriteMarkdown(markdown.Stream(), results, command.options);
         markdown.Close();

@@ -28,10 +28,6 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-struct ListCommand {
-    bool json = false;
-};
-
 struct RunCommand {
     std::string scene;
     std::optional<int64_t> steps;
@@ -39,14 +35,13 @@ struct RunCommand {
     bool hash = false;
     bool time = false;
     bool json = false;
-    std::string trace;
     WorkerOptions worker;
 };
 
 struct CompareCommand {
     std::vector<std::string> scenes;
     CompareOptions options;
-    std::string json, csv, markdown;
+    std::string markdown;
     bool details = false;
     bool quiet = false;
 };
@@ -59,7 +54,8 @@ struct FiguresCommand {
 };
 
 // Each does its job and returns the exit code; errors are thrown (UsageError, WorkerError).
-int Execute(const ListCommand &command, const Workers &workers);
+/// Shows the scenes.
+int List(const Workers &workers);
 int Execute(const RunCommand &command, const Workers &workers);
 int Execute(const CompareCommand &command, const Workers &workers);
 int Execute(const FiguresCommand &command);
@@ -101,7 +97,7 @@ struct WorldCommand {
     uint64_t seed = 1;
     bool allPairs = false, check = false, audit = false, quiet = false, list = false;
     std::string growth; ///< N1,N2,..
-    std::string json, csv;
+    std::string json;
     PictureRequest pictures; ///< without an output: none
     double rate = 30.0;      ///< steps for each unit of time
 };

@@ -19,7 +19,6 @@ constexpr char kExitCodes[] =
 
 struct CommandLine {
     std::string directory;
-    ListCommand list;
     RunCommand run;
     CompareCommand compare;
     RenderCommand render;
@@ -58,12 +57,6 @@ void AddPluginSwitch(CLI::App &app, bool &plugin) {
         ->check(CLI::IsMember({"on", "off"}));
 }
 
-CLI::App *AddList(CLI::App &app, CommandLine &line) {
-    CLI::App *list = app.add_subcommand("list", "Show the scenes");
-    list->add_flag("--json", line.list.json, "As JSON");
-    return list;
-}
-
 CLI::App *AddRun(CLI::App &app, CommandLine &line) {
     CLI::App *run = app.add_subcommand("run", "Run one scene on one side");
     run->add_option("scene", line.run.scene, "A name that `list` shows")->required();
@@ -74,7 +67,6 @@ CLI::App *AddRun(CLI::App &app, CommandLine &line) {
     CLI::Option *hash = run->add_flag("--hash", line.run.hash, "Print the hashes of every step");
     run->add_flag("--time", line.run.time, "Time the steps instead of counting calls")->excludes(hash);
     run->add_flag("--json", line.run.json, "The summary as JSON");
-    run->add_option("--trace", line.run.trace, "Write one line per event of every pair into this file");
     AddSceneOptions(*run, line.run.worker);
     return run;
 }
@@ -97,8 +89,6 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
             "bits: processes with and without the plugin; verify: every answer twice in one process "
             "(default: bits)")
         ->check(CLI::IsMember({"bits", "verify"}));
-    compare->add_option("--json", command.json, "Write everything into this file, as JSON");
-    compare->add_option("--csv", command.csv, "Write everything into this file, one row a scene");
     compare->add_option("--markdown", command.markdown,
                         "Write the tables into this file, as pages have them");
     CLI::Option *details = compare->add_flag(
@@ -144,7 +134,7 @@ int Answer(int argc, char **argv) {
     app.add_option("--workers", line.directory,
                    "Directory of boomerang-scene and boomerang-scene-plugin (default: this program's own)")
         ->check(CLI::ExistingDirectory);
-    const CLI::App *list = AddList(app, line);
+    const CLI::App *list = app.add_subcommand("list", "Show the scenes");
     const CLI::App *run = AddRun(app, line);
     AddCompare(app, line);
     CLI::App *render = AddRender(app, line.render);
@@ -184,7 +174,7 @@ int Answer(int argc, char **argv) {
         return Execute(line.render, line.directory);
     const Workers workers(line.directory);
     if (app.got_subcommand(list))
-        return Execute(line.list, workers);
+        return List(workers);
     return app.got_subcommand(run) ? Execute(line.run, workers) : Execute(line.compare, workers);
 }
 

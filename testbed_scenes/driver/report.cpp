@@ -2,18 +2,309 @@
 #include "report.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
-#include "figures.h"
 #include "table.h"
 
 namespace testbed {
 namespace {
 
+// --- figures of a scene, from its workers' summaries; nothing where they are unknown ---
+
+using Number = std::optional<double>;
+using Figure = std::function<Number(const SceneResult &)>;
+
+Number Quotient(Number a, Number b) {
+    return a && b && *b > 0.0 ? *a / *b : Number();
+}
+
+/// A summary of a counting run.
+using Summary = nlohmann::json SceneResult::*;
+constexpr Summary kStockCount = &SceneResult::stockCount, kPluginCount = &SceneResult::pluginCount,
+                  kLinesCount = &SceneResult::linesCount;
+
+/// The sum of some counts of a run.
+Figure Sum(Summary summary, const std::vector<std::string> &names) {
+    return [=](const SceneResult &result) {
+        Number sum = 0.0;
+        for (const std::string &name : names) {
+            const Number count = NumberAt(result.*summary, "/" + name);
+            sum = sum && count ? *sum + *count : Number();
+        }
+        return sum;
+    };
+}
+
+Figure PerStep(const Figure &figure) {
+    return [=](const SceneResult &result) {
+        const Number all = figure(result);
+        return all ? *all * (1.0 / static_cast<double>(std::max<int64_t>(result.steps, 1))) : all;
+    };
+}
+
+Figure PerStep(Summary summary, const std::string &name) {
+    return PerStep(Sum(summary, {name}));
+}
+
+Figure Percent(const Figure &part, const Figure &whole) {
+    return [=](const SceneResult &result) {
+        const Number some = part(result);
+        return some ? Quotient(100.0 * *some, whole(result)) : Number();
+    };
+}
+
+const std::vector<std::string> kQuestions = {"polygon_tests", "toi_calls", "distance_calls"};
+
+std::vector<std::string> EventNames() {
+    std::vector<std::string> names;
+    for (const char *event : {"start", "stab", "push", "roll", "coarsen", "contact", "leave"})
+        names.push_back(std::string("plugin/events/") + event);
+    return names;
+}
+
+/// Stock's tests that found a pair apart, and that a certificate answered: proved, or with a budget left, or
+/// renewed by the pair's own line. (What is left the plugin searches itself, so that its calls of
+/// b2CollidePolygons would not tell.)
+Number SavedTests(const SceneResult &result) {
+    const Number stock = NumberAt(result.stockCount, "/polygon_tests_apart"),
+                 proved = NumberAt(result.pluginCount, "/plugin/proved_apart"),
+                 pairs = NumberAt(result.pluginCount, "/plugin/pairs"),
+                 looks = NumberAt(result.pluginCount, "/plugin/looks");
+    if (!stock || !proved)
+        return std::nullopt;
+    return std::min(*proved + (pairs && looks ? *pairs - *looks : 0.0), *stock);
+}
+
+using Times = std::vector<nlohmann::json> SceneResult::*;
+constexpr Times kStockTimes = &SceneResult::stockTimes, kPluginTimes = &SceneResult::pluginTimes,
+                kAcceleratedTimes = &SceneResult::acceleratedTimes;
+// Box2D's own profile gives milliseconds, the worker's clock around a step nanoseconds.
+constexpr char kNarrowPhase[] = "/collide_ms_total", kWholeStep[] = "/step_ns_total";
+constexpr double kFromMilliseconds = 1e3, kFromNanoseconds = 1e-3;
+
+std::vector<double> Column(const std::vector<nlohmann::json> &summaries, const char *time) {
+    std::vector<double> values;
+    for (const nlohmann::json &summary : summaries)
+        if (const Number value = NumberAt(summary, time))
+            values.push_back(*value);
+    return values;
+}
+
+/// The middle value, or the mean of the two in the middle.
+Number Median(std::vector<double> values) {
+    if (values.empty())
+        return std::nullopt;
+    std::sort(values.begin(), values.end());
+    const size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+Figure Microseconds(Times times, const char *time) {
+    const double factor = time == kNarrowPhase ? kFromMilliseconds : kFromNanoseconds;
+    return PerStep([=](const SceneResult &result) {
+        const Number median = Median(Column(result.*times, time));
+        return median ? *median * factor : median;
+    });
+}
+
+/// Stock over the plugin, run by run.
+std::vector<double> Ratios(const SceneResult &result, Times times, const char *time) {
+    const std::vector<double> stock = Column(result.stockTimes, time), plugin = Column(result.*times, time);
+    std::vector<double> ratios;
+    for (size_t i = 0; i < std::min(stock.size(), plugin.size()); ++i)
+        if (plugin[i] > 0.0)
+            ratios.push_back(stock[i] / plugin[i]);
+    return ratios;
+}
+
+Figure Ratio(Times times, const char *time) {
+    return [=](const SceneResult &result) { return Median(Ratios(result, times, time)); };
+}
+
+Number Least(const SceneResult &result) {
+    const std::vector<double> ratios = Ratios(result, kPluginTimes, kWholeStep);
+    return ratios.empty() ? Number() : *std::min_element(ratios.begin(), ratios.end());
+}
+
+Number Greatest(const SceneResult &result) {
+    const std::vector<double> ratios = Ratios(result, kPluginTimes, kWholeStep);
+    return ratios.empty() ? Number() : *std::max_element(ratios.begin(), ratios.end());
+}
+
+Number MeanRatio(const std::vector<SceneResult> &results, const char *time) {
+    double logarithms = 0.0, count = 0.0;
+    for (const SceneResult &result : results)
+        if (const Number ratio = Ratio(kPluginTimes, time)(result)) {
+            logarithms += std::log(*ratio);
+            ++count;
+        }
+    return count > 0.0 ? std::exp(logarithms / count) : Number();
+}
+
+// --- tables of scenes ---
+
+/// The group of columns whose figures are speed-ups.
+constexpr char kRatioGroup[] = "step ratio";
+/// A whole step slower than this is one to look into: what is nearer to 1 is the machine's noise.
+constexpr double kSlower = 0.98;
+
+struct SceneColumn {
+    const char *group, *name;
+    Figure figure;
+    int decimals;
+    bool brief = false; ///< shown beside the verdicts, too
+};
+
+/// A table of scenes, wherever it is shown: on a terminal or on a page.
+struct SceneTable {
+    std::string title;
+    std::vector<SceneColumn> columns;
+    std::vector<std::string> legend; ///< a line each
+};
+
+SceneTable TestTable() {
+    return {
+        "Separation tests, calls per step",
+        {
+            {"", "bodies", Sum(kStockCount, {"bodies"}), 0},
+            {"", "contacts", Sum(kStockCount, {"contacts"}), 0},
+            {"polygon tests", "stock", PerStep(kStockCount, "polygon_tests"), 1},
+            {"polygon tests", "plugin", PerStep(kPluginCount, "polygon_tests"), 1},
+            {"of them apart", "stock", PerStep(kStockCount, "polygon_tests_apart"), 1},
+            {"of them apart", "saved %", Percent(SavedTests, Sum(kStockCount, {"polygon_tests_apart"})), 1},
+            {"TOI calls", "stock", PerStep(kStockCount, "toi_calls"), 1},
+            {"TOI calls", "plugin", PerStep(kPluginCount, "toi_calls"), 1},
+            {"b2Distance", "stock", PerStep(kStockCount, "distance_calls"), 1},
+            {"b2Distance", "plugin", PerStep(kPluginCount, "distance_calls"), 1},
+        },
+        {
+            "contacts: pairs whose fat boxes overlap, mean per step; polygon tests: b2CollidePolygons; "
+            "apart: "
+            "no point found",
+            "TOI calls: b2TimeOfImpact; saved: of the tests that found stock's pairs apart, those that a "
+            "certificate answered",
+        }};
+}
+
+SceneTable BudgetTable() {
+    return {
+        "How kinetic the world is: pairs and who was looked at, per step",
+        {
+            {"budgets of motion", "pairs", PerStep(kPluginCount, "plugin/pairs"), 1},
+            {"budgets of motion", "renewed", PerStep(kPluginCount, "plugin/renewals"), 1},
+            {"budgets of motion", "looks", PerStep(kPluginCount, "plugin/looks"), 1},
+            {"budgets of motion", "% looks",
+             Percent(Sum(kPluginCount, {"plugin/looks"}), Sum(kPluginCount, {"plugin/pairs"})), 1},
+            {"of certificates", "events", PerStep(Sum(kPluginCount, EventNames())), 2},
+            {"of certificates", "% events",
+             Percent(Sum(kPluginCount, EventNames()), Sum(kPluginCount, {"plugin/pairs"})), 2},
+        },
+        {
+            "pairs: contacts of bodies that are awake; renewed: by their own line, whose shapes and contact "
+            "nobody "
+            "read",
+            "looks: whose contact or shapes were read; of all others nothing but a deadline was",
+            "events: certificates made, replaced and given up; %: of the pairs",
+        }};
+}
+
+SceneTable EventTable() {
+    return {
+        "What the plugin did instead, per step",
+        {
+            {"certificate checks", "edge", PerStep(kPluginCount, "plugin/edge_checks"), 1},
+            {"certificate checks", "hulls", PerStep(kPluginCount, "plugin/hull_checks"), 1},
+            {"events", "start", PerStep(kPluginCount, "plugin/events/start"), 2},
+            {"events", "stab", PerStep(kPluginCount, "plugin/events/stab"), 2},
+            {"events", "push", PerStep(kPluginCount, "plugin/events/push"), 2},
+            {"events", "roll", PerStep(kPluginCount, "plugin/events/roll"), 2},
+            {"events", "coarsen", PerStep(kPluginCount, "plugin/events/coarsen"), 2},
+            {"events", "contact", PerStep(kPluginCount, "plugin/events/contact"), 2},
+            {"events", "leave", PerStep(kPluginCount, "plugin/events/leave"), 2},
+            {"answers", "apart", PerStep(kPluginCount, "plugin/proved_apart"), 1},
+            {"answers", "reused", PerStep(kPluginCount, "plugin/verdicts_reused"), 1},
+            {"answers", "hand-over", PerStep(kPluginCount, "plugin/handed_over"), 1},
+        },
+        {
+            "edge: one remembered edge asked again; search: all edges, when it failed; hulls: of --structure",
+            "start, stab, push, roll, coarsen: the life of a certificate; contact: its end, the exact test "
+            "is asked; leave: a new one",
+            "apart: proved, without Box2D; reused: of those, at the same poses (--structure); hand-over: the "
+            "exact test",
+        }};
+}
+
+SceneTable ModeTable() {
+    return {"Events of both modes beside Box2D's own distance calls, per step",
+            {
+                {"stock Box2D", "tests",
+                 PerStep(Sum(kStockCount, {"polygon_tests", "overlap_calls", "toi_calls"})), 1},
+                {"stock Box2D", "b2Distance", PerStep(kStockCount, "distance_calls"), 1},
+                {"a line a contact", "pairs", PerStep(kLinesCount, "plugin/pairs"), 1},
+                {"a line a contact", "renewed", PerStep(kLinesCount, "plugin/renewals"), 1},
+                {"a line a contact", "looks", PerStep(kLinesCount, "plugin/looks"), 1},
+                {"a line a contact", "events", PerStep(Sum(kLinesCount, EventNames())), 2},
+                {"a structure a pair of bodies", "looks", PerStep(kPluginCount, "plugin/looks"), 1},
+                {"a structure a pair of bodies", "checks", PerStep(kPluginCount, "plugin/hull_checks"), 1},
+                {"a structure a pair of bodies", "events", PerStep(Sum(kPluginCount, EventNames())), 2},
+                {"a structure a pair of bodies", "exact", PerStep(kPluginCount, "plugin/handed_over"), 1},
+            },
+            {
+                "tests: b2CollidePolygons, b2TestOverlap and b2TimeOfImpact; b2Distance: within the last two",
+                "a line a contact: as games have it; its failure time is bounded instead of computed",
+                "a structure a pair of bodies: --structure; checks: its certificates, asked",
+                "exact: contact points computed, because a stab reached the hulls or because the two touched",
+            }};
+}
+
+SceneTable VerifyTable() {
+    return {"Every answer of the plugin beside Box2D's, in one process",
+            {
+                {"answers", "compared", Sum(&SceneResult::verifyCount, {"plugin/verified"}), 0},
+                {"answers", "different", Sum(&SceneResult::verifyCount, {"plugin/differences"}), 0},
+            },
+            {}};
+}
+
+/// Medians of so many runs. `accelerated`: with columns of a Box2D that was compiled with the plugin.
+SceneTable TimeTable(int repeat, bool accelerated) {
+    SceneTable table = {
+        "Time per step",
+        {
+            {"narrow phase, us", "stock", Microseconds(kStockTimes, kNarrowPhase), 1},
+            {"narrow phase, us", "linked", Microseconds(kPluginTimes, kNarrowPhase), 1},
+            {"narrow phase, us", "ratio", Ratio(kPluginTimes, kNarrowPhase), 2},
+            {"whole step, us", "stock", Microseconds(kStockTimes, kWholeStep), 1, true},
+            {"whole step, us", "linked", Microseconds(kPluginTimes, kWholeStep), 1, true},
+            {kRatioGroup, "linked", Ratio(kPluginTimes, kWholeStep), 2, true},
+            {kRatioGroup, "from", Least, 2, true},
+            {kRatioGroup, "to", Greatest, 2, true},
+        },
+        {"time: median of " + std::to_string(repeat) +
+             " runs; ratio: stock / plugin, the median over pairs of runs; above 1 the plugin is faster",
+         "from, to: the least and the greatest of the pairs, linked: a difference within them is noise"}};
+    if (accelerated) {
+        table.columns.push_back({kRatioGroup, "accelerated", Ratio(kAcceleratedTimes, kWholeStep), 2, true});
+        table.legend.emplace_back(
+            "accelerated: Box2D compiled with the plugin, against stock's shared library");
+    }
+    return table;
+}
+
+/// What the ways to have the plugin at work are called, and what "bits" are.
+const std::vector<std::string> kVerdictLegend = {
+    "linked: a program that was linked with the plugin; preloaded: stock's program, plugin in LD_PRELOAD",
+    "accelerated: Box2D compiled with the plugin, where this was built with Box2D's sources",
+    "bits: every body, contact, impulse and listener event of every step, hashed and compared",
+    "question: a call of b2CollidePolygons, b2TimeOfImpact or b2Distance; event: of a certificate",
+    "any-...: stock Box2D does not have these polygons; its place has the plugin told to be off "
+    "(BOOMERANG=off)"};
+
 void AddFigures(std::vector<Table::Cell> &row, const SceneResult &result,
                 const std::vector<SceneColumn> &columns) {
-    const Figures figures(result);
     for (const SceneColumn &column : columns) {
-        const std::optional<double> figure = figures[column.figure];
+        const Number figure = column.figure(result);
         Style style = figure ? Style::Plain : Style::Faint;
         if (figure && column.group == std::string(kRatioGroup))
             style = *figure < kSlower ? Style::Bad : Style::Good;
@@ -88,80 +379,11 @@ size_t CountOf(const std::vector<SceneResult> &results, Verdict verdict) {
                                              [verdict](const auto &r) { return r.verdict == verdict; }));
 }
 
-std::optional<double> MeanRatio(const std::vector<SceneResult> &results, const char *figure) {
-    std::vector<double> ratios;
-    for (const SceneResult &result : results)
-        if (const std::optional<double> ratio = Figures(result)[figure])
-            ratios.push_back(*ratio);
-    return GeometricMean(ratios);
-}
-
-/// Where a figure is in a scene's JSON.
-std::string PointerOf(const std::string &figure) {
-    std::string pointer = "/figures/" + figure;
-    std::replace(pointer.begin(), pointer.end(), '.', '/');
-    return pointer;
-}
-
-nlohmann::json ToJson(std::optional<double> value) {
-    return value ? nlohmann::json(*value) : nlohmann::json();
-}
-
-nlohmann::json ToJson(const SceneResult &result) {
-    nlohmann::json json = ToJson(result.scene);
-    json["steps"] = result.steps;
-    json["verdict"] = result.verdict == Verdict::Different ? "different" : NameOf(result.verdict);
-    json["failure"] = result.failure.empty() ? nlohmann::json() : nlohmann::json(result.failure);
-    json["difference"] = nullptr;
-    if (result.difference) {
-        const Difference &difference = *result.difference;
-        json["difference"] = {{"side", NameOf(difference.side)}, {"step", difference.step},
-                              {"hashes", difference.hashes},     {"field", difference.field},
-                              {"stock", difference.stock},       {"plugin", difference.plugin},
-                              {"fields", difference.fields}};
-    }
-    for (const Variant &variant : result.variants)
-        json["variants"][NameOf(variant.side)] = NameOf(variant.verdict);
-    const Figures figures(result);
-    for (const auto &[name, value] : figures.All()) {
-        json[nlohmann::json::json_pointer(PointerOf(name))] = ToJson(value);
-    }
-    json["summaries"] = {{"stock", {{"count", result.stockCount}, {"time", result.stockTimes}}},
-                         {"verify", {{"count", result.verifyCount}, {"words", result.verifyWords}}},
-                         {"plugin", {{"count", result.pluginCount}, {"time", result.pluginTimes}}},
-                         {"accelerated", {{"time", result.acceleratedTimes}}}};
-    return json;
-}
-
-nlohmann::json ToJson(const std::vector<SceneResult> &results) {
-    nlohmann::json scenes = nlohmann::json::array();
-    for (const SceneResult &result : results)
-        scenes.push_back(ToJson(result));
-    return scenes;
-}
-
-nlohmann::json ToJson(const std::vector<SceneResult> &results, const CompareOptions &options) {
-    return {
-        {"options",
-         {{"mode", options.verify ? "verify" : "bits"},
-          {"repeat", options.time ? options.repeat : 0},
-          {"structure", options.worker.structure.empty() ? "default" : options.worker.structure},
-          {"listener", options.worker.listener.empty() ? "none" : options.worker.listener},
-          {"perturb", options.perturb ? nlohmann::json(*options.perturb) : nlohmann::json()}}},
-        {"scenes", ToJson(results)},
-        {"identical", CountOf(results, Verdict::Identical)},
-        {"different", CountOf(results, Verdict::Different)},
-        {"failed", CountOf(results, Verdict::Failed)},
-        {"geometric_mean",
-         {{"step_ratio", ToJson(MeanRatio(results, "ratio.step"))},
-          {"narrow_phase_ratio", ToJson(MeanRatio(results, "ratio.narrow_phase"))}}},
-    };
-}
+const Figure kStepRatio = Ratio(kPluginTimes, kWholeStep);
 
 /// "2.75 (2.71 to 2.76)", "no difference (0.99 to 1.03)", or nothing.
-std::string StepRatio(const Figures &figures) {
-    const auto ratio = figures["ratio.step"], least = figures["ratio.step_least"],
-               greatest = figures["ratio.step_greatest"];
+std::string StepRatio(const SceneResult &result) {
+    const Number ratio = kStepRatio(result), least = Least(result), greatest = Greatest(result);
     if (!ratio || !least || !greatest)
         return "";
     const bool tells = *least > 1.0 || *greatest < 1.0;
@@ -173,18 +395,18 @@ std::string StepRatio(const Figures &figures) {
 void WriteHeadline(std::ostream &out, const std::vector<SceneResult> &results) {
     std::vector<const SceneResult *> timed;
     for (const SceneResult &result : results)
-        if (Figures(result)["ratio.step"])
+        if (kStepRatio(result))
             timed.push_back(&result);
     if (timed.empty())
         return;
     std::stable_sort(timed.begin(), timed.end(), [](const SceneResult *a, const SceneResult *b) {
-        return *Figures(*a)["ratio.step"] > *Figures(*b)["ratio.step"];
+        return *kStepRatio(*a) > *kStepRatio(*b);
     });
     Table table;
     for (const char *name : {"whole step, stock / plugin", "scene", "ratio"})
         table.AddColumn("", name);
     const auto add = [&](const char *name, const SceneResult &result) {
-        table.AddRow({{name}, {result.scene.name}, {StepRatio(Figures(result))}});
+        table.AddRow({{name}, {result.scene.name}, {StepRatio(result)}});
     };
     add("best", *timed.front());
     add("middle", *timed[timed.size() / 2]);
@@ -198,11 +420,10 @@ void WriteTimes(std::ostream &out, const std::vector<SceneResult> &results, int 
     for (const char *name : {"scene", "stock, us a step", "plugin, us a step", "stock / plugin"})
         table.AddColumn("", name);
     for (const SceneResult &result : results) {
-        const Figures figures(result);
         table.AddRow({{result.scene.name},
-                      {Fixed(figures["stock.step_us_per_step"], 1)},
-                      {Fixed(figures["plugin.step_us_per_step"], 1)},
-                      {StepRatio(figures)}});
+                      {Fixed(Microseconds(kStockTimes, kWholeStep)(result), 1)},
+                      {Fixed(Microseconds(kPluginTimes, kWholeStep)(result), 1)},
+                      {StepRatio(result)}});
     }
     table.PrintMarkdown(out);
     out << "\nWhole steps, the median of " << repeat
@@ -242,7 +463,7 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
     out << '\n';
     for (const SceneTable &table : tables)
         PrintLegend(out, table.legend, colour);
-    PrintLegend(out, VerdictLegend(), colour);
+    PrintLegend(out, kVerdictLegend, colour);
 }
 
 void PrintQuestions(std::ostream &out, const std::vector<SceneResult> &results, bool colour) {
@@ -250,14 +471,11 @@ void PrintQuestions(std::ostream &out, const std::vector<SceneResult> &results, 
     size_t counted = 0;
     std::string name;
     for (const SceneResult &result : results) {
-        const Figures figures(result);
-        const auto tests = figures["stock.polygon_tests_per_step"],
-                   impacts = figures["stock.toi_calls_per_step"],
-                   distances = figures["stock.distance_calls_per_step"],
-                   happened = figures["events.all_per_step"];
-        if (!tests || !impacts || !distances || !happened)
+        const Number asked = PerStep(Sum(kStockCount, kQuestions))(result),
+                     happened = PerStep(Sum(kPluginCount, EventNames()))(result);
+        if (!asked || !happened)
             continue;
-        questions += *tests + *impacts + *distances;
+        questions += *asked;
         events += *happened;
         ++counted;
         name = result.scene.name;
@@ -278,30 +496,10 @@ void PrintVerdict(std::ostream &out, const std::vector<SceneResult> &results, bo
                        std::to_string(different) + " different";
     if (failed != 0)
         text += ", " + std::to_string(failed) + " failed";
-    if (const auto ratio = MeanRatio(results, "ratio.step"))
+    if (const auto ratio = MeanRatio(results, kWholeStep))
         text += "; step " + Fixed(ratio, 2) + "x, narrow phase " +
-                Fixed(MeanRatio(results, "ratio.narrow_phase"), 2) + "x as fast as stock (geometric means)";
+                Fixed(MeanRatio(results, kNarrowPhase), 2) + "x as fast as stock (geometric means)";
     out << Styled(text, different + failed == 0 ? Style::Good : Style::Bad, colour) << '\n';
-}
-
-void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options) {
-    // A worker's stderr may hold anything; a report must be valid all the same.
-    out << ToJson(results, options).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-}
-
-void WriteCsv(std::ostream &out, const std::vector<SceneResult> &results) {
-    CsvColumns columns = {{"scene", "/name"},
-                          {"group", "/group"},
-                          {"size", "/size"},
-                          {"seed", "/seed"},
-                          {"steps", "/steps"},
-                          {"verdict", "/verdict"},
-                          {"difference_step", "/difference/step"},
-                          {"difference_field", "/difference/field"}};
-    const Figures names{SceneResult()};
-    for (const auto &entry : names.All())
-        columns.emplace_back(entry.first, PointerOf(entry.first));
-    WriteCsv(out, ToJson(results), columns);
 }
 
 void WriteMarkdown(std::ostream &out, const std::vector<SceneResult> &results,
@@ -321,8 +519,8 @@ void WriteMarkdown(std::ostream &out, const std::vector<SceneResult> &results,
         WriteHeadline(out, results);
         WriteTimes(out, results, options.repeat);
     }
-    for (const SceneTable *table : {&TestTable(), &BudgetTable(), &EventTable()})
-        write(*table);
+    for (const SceneTable &table : {TestTable(), BudgetTable(), EventTable()})
+        write(table);
     if (!options.worker.structure.empty())
         write(ModeTable());
 }

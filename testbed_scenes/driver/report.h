@@ -18,10 +18,6 @@ void PrintVerdict(std::ostream &out, const std::vector<SceneResult> &results, bo
 /// all other tables, too, and a legend.
 void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
                  bool details, bool colour);
-/// Everything that is known of every scene.
-void WriteJson(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options);
-/// A header and one row per scene; unknown figures are empty.
-void WriteCsv(std::ostream &out, const std::vector<SceneResult> &results);
 /// The tables for a page of documentation: first the best, the middle and the worst scene by the whole step,
 /// then a table of times and one of each kind of count. A ratio whose pairs of runs lie on both sides of 1 is
 /// "no difference".

@@ -49,13 +49,6 @@ std::vector<SceneInfo> ParseSceneList(const std::string &text) {
     return scenes;
 }
 
-nlohmann::json ToJson(const SceneInfo &scene) {
-    return {{"name", scene.name},         {"description", scene.description},
-            {"group", scene.group},       {"size", scene.size},
-            {"seed", scene.seed},         {"steps", scene.steps},
-            {"vertices", scene.vertices}, {"bodies", scene.bodies}};
-}
-
 bool IsStepLine(const std::string &line) {
     return StartsWith(line, kStepPrefix);
 }

@@ -34,7 +34,6 @@ struct SceneInfo {
 };
 
 std::vector<SceneInfo> ParseSceneList(const std::string &text);
-nlohmann::json ToJson(const SceneInfo &scene);
 
 /// `step <i> <bodies> <contacts> <events>`: the hashes stay text, they are only ever compared.
 struct StepHash {
@@ -98,7 +97,7 @@ struct WorkerRequest {
     std::string scene;
     int64_t steps = 0;
     std::string mode = "hash";
-    /// --dump, --perturb, --record, --trace with their values.
+    /// --dump, --perturb, --frames with their values.
     std::vector<std::string> extra = {};
     std::string course = {}; ///< a file that takes the scene's place
 };

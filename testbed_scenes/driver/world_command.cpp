@@ -235,7 +235,7 @@ WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
 }
 
 int Perform(const WorldCommand &command) {
-    OutputFile json(command.json), csv(command.csv);
+    OutputFile json(command.json);
     std::vector<WorldFigures> runs;
     if (!command.growth.empty()) {
         runs = MeasureGrowth(command);
@@ -248,10 +248,6 @@ int Perform(const WorldCommand &command) {
     nlohmann::json list = nlohmann::json::array();
     for (const WorldFigures &run : runs)
         list.push_back(ToJson(run));
-    if (csv.IsWanted()) {
-        WriteCsv(csv.Stream(), list, WorldColumns());
-        csv.Close();
-    }
     if (json.IsWanted()) {
         json.Stream() << list.dump(1) << '\n';
         json.Close();

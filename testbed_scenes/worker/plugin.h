@@ -25,7 +25,6 @@ namespace testbed {
 
 struct PluginOptions {
     std::string structure; ///< holds every pair; empty: as games have it
-    std::string trace;     ///< a file's name, or empty
 };
 
 void AddPluginOptions(CLI::App &app, PluginOptions &options);
@@ -40,13 +39,9 @@ public:
     virtual void OnAnswer(const b2Contact &contact, bool handedOver) = 0;
 };
 
-/// Before the first world. Throws if the plugin will not install, or the trace cannot be written. The
+/// Before the first world. Throws if the plugin will not install. The
 /// observer (nullptr: none) must live as long as the process steps.
 void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *observer);
-/// The step that events belong to from now on.
-void SetTraceStep(int step);
-/// Closes the trace; throws if not all of it could be written.
-void FinishTrace();
 
 /// "stock", "plugin", or "off": linked with the plugin, which is told to be off.
 const char *PluginName();

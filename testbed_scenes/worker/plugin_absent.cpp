@@ -5,8 +5,6 @@ namespace testbed {
 
 void AddPluginOptions(CLI::App &, PluginOptions &) {}
 void InstallPlugin(const PluginOptions &, bool, PluginObserver *) {}
-void SetTraceStep(int) {}
-void FinishTrace() {}
 const char *PluginName() {
     return "stock";
 }

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "worker/plugin.h"
 
-#include <cerrno>
-#include <cinttypes>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
@@ -19,33 +15,15 @@
 namespace testbed {
 namespace {
 
-struct Trace {
-    std::FILE *file = nullptr;
-    int step = 0;
-};
-
-// The plugin's options are for the whole process, and so are the trace and the observer.
-Trace trace;
+// The plugin's options are for the whole process, and so is the observer.
 PluginObserver *observer = nullptr;
 
 void OnEvent(void *, const b2Body *bodyA, const b2Body *bodyB, const bmr_event &event) {
-    if (observer != nullptr)
-        observer->OnKineticEvent(*bodyA, *bodyB, bmr_event_name(event.kind));
-    if (trace.file == nullptr)
-        return;
-    std::fprintf(trace.file, "%d %" PRIu32 " %" PRIu32 " %s %d %d\n", trace.step, NumberOf(*bodyA),
-                 NumberOf(*bodyB), bmr_event_name(event.kind), event.level_before, event.level_after);
+    observer->OnKineticEvent(*bodyA, *bodyB, bmr_event_name(event.kind));
 }
 
 void OnAnswer(const b2Contact &contact, bmr::Answer answer) {
     observer->OnAnswer(contact, answer >= bmr::Answer::HandedOver);
-}
-
-void OpenTrace(const std::string &name) {
-    trace.file = std::fopen(name.c_str(), "w");
-    if (trace.file == nullptr)
-        throw std::runtime_error("cannot write " + name + ": " + std::strerror(errno));
-    std::fputs("# step bodyA bodyB kind level_before level_after\n", trace.file);
 }
 
 shown::Vec VecOf(const b2Vec2 &v) {
@@ -66,8 +44,6 @@ void AddPluginOptions(CLI::App &app, PluginOptions &options) {
         ->option_text("lazy-compass|lazy-dudley|free-direction|two-lines")
         ->check(
             CLI::IsMember({"lazy-compass", "lazy-dudley", "free-direction", "two-lines"}).description(""));
-    app.add_option("--trace", options.trace, "Write each event of each pair to this file, a line per event")
-        ->option_text("FILE");
 }
 
 void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *told) {
@@ -75,31 +51,15 @@ void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *tol
     for (int i = 0; i < BMR_STRUCTURE_COUNT && !options.structure.empty(); ++i)
         if (options.structure == bmr_structure_name(static_cast<bmr_structure>(i)))
             install.pairsBy = static_cast<bmr_structure>(i);
-    install.statistics = count || !options.trace.empty();
+    install.statistics = count;
     observer = told;
-    if (observer != nullptr)
+    if (observer != nullptr) {
         bmr::internal::ObserveAnswers(OnAnswer);
-    if (!options.trace.empty())
-        OpenTrace(options.trace);
-    if (observer != nullptr || !options.trace.empty())
         install.onEvent = OnEvent;
+    }
     // Told to be off, it still has the polygons of any size.
     if (!bmr::Install(install) && !IsToldToBeOff())
         throw std::runtime_error("the plugin would not install");
-}
-
-void SetTraceStep(int step) {
-    trace.step = step;
-}
-
-void FinishTrace() {
-    if (trace.file == nullptr)
-        return;
-    const bool written = std::ferror(trace.file) == 0;
-    const bool closed = std::fclose(trace.file) == 0;
-    trace.file = nullptr;
-    if (!written || !closed)
-        throw std::runtime_error("the trace could not be written to its end");
 }
 
 const char *PluginName() {

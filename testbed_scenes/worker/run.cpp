@@ -83,7 +83,6 @@ void RunScene(const SceneInfo &info, const Options &options) {
     Summary summary(info, options, steps);
 
     recorder.StartStep(options.dump == 0);
-    SetTraceStep(-1); // what happens before the first step
     scene.Build(stage, options.size.value_or(info.size));
     if (seed != info.seed)
         Shake(stage);
@@ -91,7 +90,6 @@ void RunScene(const SceneInfo &info, const Options &options) {
         recorded.ListenTo(world);
     const std::clock_t begun = std::clock();
     for (int step = 0; step < steps; ++step) {
-        SetTraceStep(step);
         scene.BeforeStep(stage, step);
         if (frames)
             frames->BeginStep(step);
@@ -121,7 +119,6 @@ void RunScene(const SceneInfo &info, const Options &options) {
         }
     }
     const std::clock_t taken = std::clock() - begun;
-    FinishTrace();
     nlohmann::json json = summary.ToJson(world);
     if (options.mode == Mode::Time) // of the processor, all of the loop
         json["steps_processor_s"] = static_cast<double>(taken) / CLOCKS_PER_SEC;

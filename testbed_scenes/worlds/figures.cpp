@@ -168,20 +168,4 @@ nlohmann::json ToJson(const WorldFigures &figures) {
     return json;
 }
 
-std::vector<std::pair<std::string, std::string>> WorldColumns() {
-    std::vector<std::pair<std::string, std::string>> columns;
-    const auto add = [&columns](const std::vector<const char *> &names) {
-        for (const char *name : names)
-            columns.emplace_back(name, std::string("/") + name);
-    };
-    add({"scene", "bodies", "seed", "structure", "all_pairs", "seconds"});
-    for (int kind = 0; kind < BMR_WORLD_EVENT_KIND_COUNT; ++kind) {
-        const std::string name = bmr_world_event_name(static_cast<bmr_world_event_kind>(kind));
-        columns.emplace_back(name, "/events/" + name);
-    }
-    columns.emplace_back("rate", "/rate_all");
-    add({"pairs", "near", "most_bytes", "clock", "microseconds_an_event", "energy_drift", "momentum_drift"});
-    return columns;
-}
-
 } // namespace testbed

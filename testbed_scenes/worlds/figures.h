@@ -51,8 +51,6 @@ struct WorldFigures {
 WorldFigures Measure(const WorldSetup &setup, const MeasureOptions &options);
 
 nlohmann::json ToJson(const WorldFigures &figures);
-/// What a CSV file has of a run: headings, and where the value is in its JSON.
-std::vector<std::pair<std::string, std::string>> WorldColumns();
 
 const char *NameOf(bmr_boundary boundary);
 /// "elastic", "restitution 0.9", "stick" or "pass".

@@ -61,10 +61,9 @@ test_why_a_file_cannot_be_written() {
     : >"$scratch/file"
     mkdir "$scratch/directory.csv"
     for to in "no/x.csv:there is no directory .*/no" "file/x.csv:Not a directory" "directory.csv:Is a directory"; do
-        says "cannot write $scratch/${to%%:*}: ${to#*:}$" 3 compare pyramid --no-time --csv "$scratch/${to%%:*}"
+        says "cannot write $scratch/${to%%:*}: ${to#*:}$" 3 compare pyramid --no-time --markdown "$scratch/${to%%:*}"
     done
-    says 'cannot write .*/no/trace: there is no directory' 3 run pyramid --size 3 --steps 1 --trace "$scratch/no/trace"
-    says 'cannot write /dev/full: No space left on device' 3 compare pyramid --size 3 --steps 2 --no-time --quiet --csv /dev/full
+    says 'cannot write /dev/full: No space left on device' 3 compare pyramid --size 3 --steps 2 --no-time --quiet --markdown /dev/full
 }
 
 # What cannot be written whole leaves what was there; what can keeps its link and its permissions.
