@@ -85,13 +85,9 @@ template <typename Keep> struct OneProxy {
 
 /// The descent of proxies of one body that follow each other among the moved ones.
 struct ManyProxies {
-    // Each proxy is held against each leaf: with more of them, descents of its own cost less.
-    static constexpr int32 kMostLeaves = 128;
-    // A proxy's own descent looks at about two nodes for each level of the tree, and at those leaves of its
-    // own body that are near, with the nodes above them. In bodies of 10 to 63 triangles about one corner
-    // (the scene asteroids) that is 134 nodes on average: with a quarter of that, four of ten descents
-    // together were given up, in vain.
-    static constexpr int32 kVisitsForAProxy = 128;
+    // Descents that are given up are made in vain. In gases and piles of bodies of 10 to 63 pieces these let
+    // nearly all of them end.
+    static constexpr int32 kMostLeaves = 1024, kVisitsForAProxy = 4096;
 
     struct Leaf {
         b2AABB box;
