@@ -67,8 +67,8 @@ private:
     b2ContactManager *m_manager;
     const b2World *m_world;
     Ledger::Pass m_pass;
-    uint32_t m_passNumber = 0;            ///< another one at the ledger: the game stepped this world
-    uint32_t m_looks = 0, m_touching = 0; ///< in this pass; of them, those that touch and are due again
+    uint32_t m_passNumber = 0; ///< another one at the ledger: the game stepped this world
+    uint32_t m_looks = 0;      ///< in this pass
     uint32_t m_at = 0;   ///< records from here on are passed; the one that is visited is the last of them
     uint64_t m_seen = 0; ///< the look whose results the pass uses, as long as no code of the game ran
     uint64_t m_due =
@@ -211,10 +211,8 @@ void CollidePass::Prove(uint32_t i, b2Contact *contact) {
         ProveApart(m_ledger, i, ours);
     else if (canProve && (contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor()))
         ProveOverlap(m_ledger, i);
-    else {
+    else
         m_ledger->SetDue(i);
-        m_touching += contact->IsTouching() ? 1 : 0;
-    }
 }
 
 void CollidePass::Visit(uint32_t i) {
@@ -301,7 +299,7 @@ void CollidePass::End() {
     m_pass.Complete();
     if (StepsAreTimed())
         NotePairs(m_ledger->WatchedCount(), m_ledger->CountTouching());
-    m_ledger->NoteLooks(m_looks, m_touching);
+    m_ledger->NoteLooks(m_looks);
     m_ledger->Owed().EndPass(GameRan());
 }
 
@@ -365,7 +363,7 @@ void Collide(b2ContactManager *manager) {
     if (StepsAreTimed())
         NotePairs(counts.awake, counts.touching);
     if (Ledger *passedOver = FindLedger(manager))
-        passedOver->NoteList(counts.awake, counts.touching);
+        passedOver->NoteList(counts.awake);
 }
 
 } // namespace bmr

@@ -135,6 +135,8 @@ void ImpactPass::Run() {
             stepComplete = true;
             break;
         }
+        if (Ledger *const ledger = FindLedger(m_manager))
+            ledger->NoteSearch();
         const bool met = Meet(contact, time);
         if (m_ledger != nullptr)
             ReadWhatGameDid();

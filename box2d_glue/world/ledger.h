@@ -42,9 +42,9 @@ public:
     /// Begins anew where one does not. False where it cannot be, for now: the world is to be stepped by its
     /// list.
     bool Follow();
-    /// Is the next pass to be made, or left out because too many pairs are looked at in every one? To be
-    /// asked once a step, ahead of Follow. A world whose pairs nearly all touch, or move too fast for a
-    /// budget, is stepped by its list for a while, and tried again.
+    /// Is the next pass to be made, or left out because it costs more than Box2D's loop over its list? To be
+    /// asked once a step, ahead of Follow. A world whose pairs move too fast for a budget, or touch, is
+    /// stepped by its list for a while, and tried again.
     bool NextStepPays();
     /// A step of the world went by without a pass: every pair is due in the next one. If that was inside a
     /// step that has one, it is not known which pairs touch in the rest of it.
@@ -54,12 +54,13 @@ public:
         m_step = 0;
         ++m_passNumber;
     }
-    /// So many pairs were looked at in a pass; of those, so many because they touch.
-    void NoteLooks(uint32_t looks, uint32_t touching);
-    /// In a step by the world's list so many pairs were awake, and so many of these touched. Where most touch
-    /// the ledger is not tried again soon: pairs that touch are looked at in every pass. Where nearly all
-    /// sleep it is tried in the next step: it passes over those without a look, and Box2D's list does not.
-    void NoteList(uint32_t awake, uint32_t touching);
+    /// So many pairs were looked at in a pass.
+    void NoteLooks(uint32_t looks);
+    /// In a step by the world's list so many pairs were awake. Where nearly all sleep the ledger is tried in
+    /// the next step: it passes over those without a look, and Box2D's list does not.
+    void NoteList(uint32_t awake);
+    /// The earliest impact was searched for.
+    void NoteSearch() { ++m_searches; }
     /// Takes in contacts that were made since. False if they do not fit what is here.
     bool CatchUp();
     /// It has ended. (The pointer is compared, no more.)
@@ -349,9 +350,10 @@ private:
     bool m_interrupted = false;
     bool m_locked = false;          ///< the world was, since the last look at all movers
     bool m_sweepsCarefully = false; ///< see BeginSearch, RuleOutImpact
-    bool MostOf(uint64_t pairs) const { return 2 * pairs > static_cast<uint64_t>(m_live); }
-    uint32_t m_triedPasses = 0, m_restingSteps = 0; ///< see NextStepPays
-    uint64_t m_triedLooks = 0, m_triedPairs = 0;
+    uint32_t m_followed = 0; ///< rows that were looked at in the last look at all movers, and are active
+    // See NextStepPays.
+    uint32_t m_triedPasses = 0, m_restingSteps = 0;
+    uint64_t m_searches = 0, m_costOfTable = 0, m_costOfList = 0;
 };
 
 } // namespace bmr

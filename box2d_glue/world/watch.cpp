@@ -75,6 +75,7 @@ void Ledger::LookAtMovers() {
     ++m_passNumber;
     m_step = CurrentStep();
     m_locked = true;
+    m_followed = 0;
     const uint32_t count = m_movers.Count();
     for (uint32_t row = 0; row < count; ++row) {
         m_movers.Prefetch(row + 2 * kAhead);
@@ -83,9 +84,10 @@ void Ledger::LookAtMovers() {
         if (mover.records == 0)
             continue;
         const uint8_t before = m_movers.Bits(row);
-        if (mover.proved > 0)
+        if (mover.proved > 0) {
             m_movers.Look(row, m_manager->m_broadPhase, m_look, false);
-        else // each of its pairs is due, and looks at it then
+            m_followed += m_movers.IsActive(row) ? 1 : 0;
+        } else // each of its pairs is due, and looks at it then
             m_movers.PassOver(row);
         if (m_passes > 1) // the pass around this one had not reached all of its pairs
             m_movers.SetBits(row, m_movers.Bits(row) | (before & kChanged));
