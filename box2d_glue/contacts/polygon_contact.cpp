@@ -119,7 +119,7 @@ void PolygonContact::CountAnswer(Answer answer) const {
 /// polygon that was never Set has none.)
 inline bool PolygonContact::ManifoldIsMadeHere() const {
     const auto known = [](const b2PolygonShape &shape) { return shape.m_count >= 3 && shape.m_count <= 8; };
-    return ContactsAreOurs() && RoundsToNearest() && known(ShapeOf(m_fixtureA)) && known(ShapeOf(m_fixtureB));
+    return RoundsToNearest() && known(ShapeOf(m_fixtureA)) && known(ShapeOf(m_fixtureB));
 }
 
 /// b2CollidePolygons; where a face separates the two, remembers it and returns true.

@@ -108,8 +108,6 @@ public:
 private:
     /// The world's ledger with all of its contacts; nullptr where it has none.
     Ledger *FollowedLedger() const {
-        if (!PassesRun())
-            return nullptr;
         Ledger *ledger =
             m_manager->m_contactCount >= WorthALedgerAnyway() ? MakeLedger(m_manager) : FindLedger(m_manager);
         return ledger != nullptr && (ledger->IsWhole() || ledger->CatchUp()) && !ledger->MayHaveUnlisted()

@@ -21,10 +21,10 @@ uint64_t NextStep() {
     return ++last;
 }
 
-StepUnderWay::StepUnderWay(bool gameListens, bool passesRun) {
+StepUnderWay::StepUnderWay(bool gameListens) {
     ++stepsUnderWay;
     LatestStep() = CurrentStep() = NextStep();
-    GameRan() = (gameListens && !passesRun) || IsInner();
+    GameRan() = IsInner();
     StepIsToNearest() = false;
     // (The game's code made an inner one, and goes on behind it.)
     StepIsToNearest() = !gameListens && !IsInner() && RoundsToNearest();

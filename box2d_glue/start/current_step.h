@@ -42,9 +42,8 @@ uint64_t NextStep();
 /// not end first.
 class StepUnderWay {
 public:
-    /// `gameListens`: the world has a listener or a filter of the game's. `passesRun`: it is our passes that
-    /// call them.
-    StepUnderWay(bool gameListens, bool passesRun);
+    /// `gameListens`: the world has a listener or a filter of the game's.
+    explicit StepUnderWay(bool gameListens);
     ~StepUnderWay();
     StepUnderWay(const StepUnderWay &) = delete;
     StepUnderWay &operator=(const StepUnderWay &) = delete;

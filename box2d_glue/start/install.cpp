@@ -42,8 +42,7 @@ const char *WhyRoundingIsAnother() {
 
 void Announce(const Options &options) {
     const Presence presence = GetPresence();
-    std::fprintf(stderr, "boomerang: %s; %s %s; %s%s\n", NameOf(options.mode), presence.way, presence.box2d,
-                 presence.passesRun ? "whole steps" : "contacts alone: ", presence.whyNot);
+    std::fprintf(stderr, "boomerang: %s; %s %s\n", NameOf(options.mode), presence.way, presence.box2d);
 }
 
 } // namespace
@@ -66,11 +65,15 @@ bool InstallHere(const Options &given) {
         return false;
     if (static_cast<unsigned>(options.pairsBy) > BMR_STRUCTURE_COUNT)
         return Refuse("Options::pairsBy is none of the structures of boomerang/pair.h");
+    if (const char *why = WhyNotAhead())
+        return Refuse(why);
     if (const char *why = WhyThisBox2DIsUnknown())
         return Refuse(why);
     if (const char *why = WhyRoundingIsAnother())
         return Refuse(why);
-    if (!MakeSettings(options, WhyNoPassRuns()))
+    if (const char *why = WhichHookIsNotCalled())
+        return Refuse(why);
+    if (!MakeSettings(options))
         return Refuse("there is no memory");
     RegisterPolygonContacts();
     RegisterEdgeContacts();

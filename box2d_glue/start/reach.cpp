@@ -30,7 +30,7 @@ static_assert(sizeof kHooks / sizeof *kHooks == static_cast<size_t>(HookOf::Coun
 
 thread_local bool finding = false;
 std::atomic<uint32_t> noted{0};
-std::atomic<const char *> theWay{"contacts alone of Box2D"}, theReason{nullptr};
+std::atomic<const char *> theWay{"not ahead of Box2D"}, theReason{nullptr};
 char sentence[120];
 
 /// A box that falls on another one, and overlaps a sensor.
@@ -87,16 +87,20 @@ bool IsFindingReach() {
     return finding;
 }
 
-const char *WhyNoPassRuns() {
-    if (const char *const known = theReason.load(std::memory_order_relaxed))
-        return known;
+const char *WhyNotAhead() {
+    return theReason.load(std::memory_order_relaxed);
+}
+
+const char *WhichHookIsNotCalled() {
     if (!StepSmallWorld())
         return "there is no memory";
     const uint32_t missing =
         ~noted.load(std::memory_order_relaxed) & ((1u << static_cast<uint32_t>(HookOf::Count)) - 1);
     if (missing == 0)
         return nullptr;
-    std::snprintf(sentence, sizeof sentence, "calls of %s do not come by this library",
+    std::snprintf(sentence, sizeof sentence,
+                  "Box2D does not call Boomerang's %s. Link boomerang::box2d ahead of it, or use "
+                  "boomerang_accelerate()",
                   kHooks[LowestBit(missing)]);
     return sentence;
 }

@@ -17,14 +17,10 @@ Counts &GetCounts() {
     return counts;
 }
 
-bool MakeSettings(const Options &options, const char *whyNoPass) {
+bool MakeSettings(const Options &options) {
     Settings made;
     made.made = true;
     made.options = options;
-    made.whyNoPass = whyNoPass;
-    if (whyNoPass != nullptr)
-        made.options.pairsBy =
-            BMR_STRUCTURE_COUNT; // structures are kept by the table of pairs, which passes have
     made.options.statistics =
         options.statistics || options.onEvent != nullptr || AnswersAreObserved() || CountsAreWanted();
     made.pairDef = bmr_default_pair_def();
@@ -44,8 +40,7 @@ bool MakeSettings(const Options &options, const char *whyNoPass) {
 }
 
 void ActivateHooks() {
-    internal::state =
-        GetSettings().whyNoPass == nullptr ? internal::State::PassesRun : internal::State::ContactsOurs;
+    internal::state = internal::State::PassesRun;
 }
 
 } // namespace bmr

@@ -22,11 +22,9 @@ struct Settings {
     bmr_pair_def pairDef = {};
     /// Directions for hulls of up to kMostCompassVertices vertices; NULL where not needed.
     const bmr_compass *compass = nullptr;
-    /// Why no pass of ours runs; nullptr where passes run.
-    const char *whyNoPass = nullptr;
 };
 
-/// A function of Box2D's that has a hook, and that our passes need to be called by.
+/// A function of Box2D's that has a hook. Our passes work only where Box2D calls all of them.
 enum class HookOf : uint32_t {
     Step,
     Collide,
@@ -43,10 +41,9 @@ namespace internal {
 extern Settings settings;
 /// The state that each hook reads first. Stored with release order when the settings are made.
 enum class State : uint8_t {
-    Nothing,      ///< so it is until the library has started, and in Mode::Off
-    Watching,     ///< Install finds out which of these are called (reach.h)
-    ContactsOurs, ///< the contacts of polygons are ours, steps are Box2D's
-    PassesRun     ///< steps are ours, too
+    Nothing,  ///< so it is until the library has started, and in Mode::Off
+    Watching, ///< Install finds out which hooks are called (reach.h)
+    PassesRun ///< contacts and steps are ours
 };
 extern std::atomic<State> state;
 void NoteReached(HookOf hook);
@@ -55,8 +52,9 @@ inline const Settings &GetSettings() {
     return internal::settings;
 }
 
-/// Do our passes run? A load and a test. Where they do, the settings are all there, also on a thread that
-/// steps nothing and calls Box2D while another one starts the library.
+/// Do our passes run? Then this is a Box2D that the glue knows, and its objects may be looked into. A load
+/// and a test. Where passes run, the settings are all there, also on a thread that steps nothing and calls
+/// Box2D while another one starts the library.
 inline bool PassesRun() {
     return internal::state.load(std::memory_order_acquire) == internal::State::PassesRun;
 }
@@ -69,11 +67,6 @@ inline bool PassesRun(HookOf hook) {
     if (state == internal::State::Watching)
         internal::NoteReached(hook);
     return false;
-}
-
-/// Are contacts ours? Then this is a Box2D that the glue knows, and its objects may be looked into.
-inline bool ContactsAreOurs() {
-    return internal::state.load(std::memory_order_acquire) >= internal::State::ContactsOurs;
 }
 
 /// Is nothing installed, nor looked for? Then hooks have nothing to do but for big polygons. One load and a
@@ -103,7 +96,7 @@ inline bool PairsAreHulls() {
 }
 
 /// Takes the options over; called once, by Install. False without memory for the compass table.
-bool MakeSettings(const Options &options, const char *whyNoPass = nullptr);
+bool MakeSettings(const Options &options);
 /// From here on the hooks answer. The last thing that Install does.
 void ActivateHooks();
 

@@ -105,7 +105,7 @@ void WriteCounts() {
         [file](const char *name, uint64_t count) { std::fprintf(file, "%s %" PRIu64 "\n", name, count); },
         counted);
     const Presence presence = GetPresence();
-    std::fprintf(file, "way %s %s\nno_pass %s\n", presence.way, presence.box2d, presence.whyNot);
+    std::fprintf(file, "way %s %s\n", presence.way, presence.box2d);
     std::fclose(file);
 }
 

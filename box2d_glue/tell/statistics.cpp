@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "start/install.h"
 #include "start/reach.h"
 #include "start/recognise.h"
 #include "start/settings.h"
@@ -13,8 +14,7 @@ Presence GetPresence() {
     Presence presence;
     presence.way = TheWay();
     presence.box2d = VersionOfBox2D();
-    presence.passesRun = PassesRun();
-    if (const char *const why = GetSettings().whyNoPass)
+    if (const char *const why = WhyRefused())
         presence.whyNot = why;
     return presence;
 }

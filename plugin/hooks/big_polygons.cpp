@@ -21,7 +21,7 @@ BMR_FOR_LOADERS("_ZN7b2World9DrawShapeEP9b2FixtureRK11b2TransformRK7b2Color");
 
 void b2DistanceProxy::Set(const b2Shape *shape, int32 child) {
     // (Shapes of a Box2D that is none we know are not ours to read.)
-    if (!(ContactsAreOurs() || AnyBigPolygon()) || !SetCommonProxy(this, *shape))
+    if (!(PassesRun() || AnyBigPolygon()) || !SetCommonProxy(this, *shape))
         stock::SetProxy(this, shape, child);
 }
 

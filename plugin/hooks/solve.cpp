@@ -23,7 +23,7 @@ void b2World::Solve(const b2TimeStep &step) {
     Ledger *const ledger = FindLedger(&m_contactManager);
     if (ledger != nullptr)
         ledger->GiveMarksBack();
-    if (ContactsAreOurs() && HasCodeOfGame(m_contactManager))
+    if (PassesRun() && HasCodeOfGame(m_contactManager))
         BeforeGame(&m_contactManager);
     stock::Solve(this, step);
     if (ledger == nullptr || !ledger->IsLookedAtIn(CurrentStep()))

@@ -26,7 +26,7 @@ void b2World::SolveTOI(const b2TimeStep &step) {
         ledger->GetBodies().NoteDisplaced();
         ledger->Interrupt(); // and reads who touches in the next step
     }
-    if (ContactsAreOurs() && HasCodeOfGame(m_contactManager))
+    if (PassesRun() && HasCodeOfGame(m_contactManager))
         BeforeGame(&m_contactManager);
     stock::SolveToi(this, step);
 }

@@ -20,13 +20,9 @@ namespace {
 
 BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterations,
                            int32 positionIterations) {
-    PassesRun(HookOf::Step); // notes that it was reached
-    // (Of a Box2D that is another one nothing is looked at.)
-    const StepUnderWay step(!ContactsAreOurs() || HasCodeOfGame(world->GetContactManager()), PassesRun());
+    const StepUnderWay step(HasCodeOfGame(world->GetContactManager()));
     CurrentTimeStep() = timeStep;
     CountStep();
-    if (AnyBigPolygon())
-        NoteDrawnByBox2D(nullptr, nullptr); // shapes that were drawn before a step are drawn anew after it
     if (StepIsOurs())
         RunStep(world, timeStep, velocityIterations, positionIterations);
     else
@@ -34,10 +30,12 @@ BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterati
 }
 
 void StepAsAsked(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
-    if (NothingIsInstalled() && !AnyBigPolygon())
-        stock::Step(world, timeStep, velocityIterations, positionIterations);
-    else
+    if (AnyBigPolygon())
+        NoteDrawnByBox2D(nullptr, nullptr); // shapes that were drawn before a step are drawn anew after it
+    if (PassesRun(HookOf::Step))
         StepHere(world, timeStep, velocityIterations, positionIterations);
+    else
+        stock::Step(world, timeStep, velocityIterations, positionIterations);
 }
 
 BMR_COLD void StepTimed(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {

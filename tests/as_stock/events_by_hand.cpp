@@ -212,15 +212,15 @@ TEST_CASE("two big polygons live as the header says") {
     CHECK(EventsOf(Told(PlayBig)) == TextOf(kBig));
 }
 
-TEST_CASE("with a structure of the paper two bodies have one, of their hulls" * doctest::skip(!kAhead)) {
+TEST_CASE("with a structure of the paper two bodies have one, of their hulls") {
     const PairsBy by("free-direction");
     CHECK(EventsOf(Told(PlayMany)) == TextOf(kMany));
 }
 
-TEST_CASE("a sensor's contact lives as the header says" * doctest::skip(!kAhead)) {
+TEST_CASE("a sensor's contact lives as the header says") {
     CHECK(EventsOf(Told(PlaySensor)) == TextOf(kSensor));
 }
 
-TEST_CASE("what only a line of the ledger keeps apart leaves contact by it" * doctest::skip(!kAhead)) {
+TEST_CASE("what only a line of the ledger keeps apart leaves contact by it") {
     CHECK(EventsOf(Told(PlayTips)) == TextOf(kTips));
 }

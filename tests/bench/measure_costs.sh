@@ -16,8 +16,7 @@ Tables, each printed as its page has it (docs/cost-model.md):
   listeners  the scenes of games with each contact listener, stock over plugin (SCENES="a b": these alone)
   sizes      docs/any-size-polygons.md: polygons of 8 to 4096 vertices, and circles, with the plugin
   outlines   docs/outlines.md: bodies of outlines beside the same of triangles
-  scenes     each scene of the testbed, stock over plugin: linked behind Box2D, which leaves contacts alone, and
-             linked ahead of it, which runs whole steps (SCENES="a b": these alone)
+  scenes     each scene of the testbed, stock over plugin (SCENES="a b": these alone)
 --steps N   steps of each scene (default: the scene's own)
 Exit codes: 0 done; 2 wrong usage; 3 a program failed.
 TEXT
@@ -232,23 +231,18 @@ list_scenes() {
 }
 
 scenes() {
-    local name count box2d sums
-    box2d=$(ldd "$build/bin/boomerang-scene" | awk '/libbox2d/ { print $3 }')
-    echo "| scene | steps | stock, instructions a step | contacts alone | whole steps |"
-    echo "| --- | --- | --- | --- | --- |"
+    local name count sums
+    echo "| scene | steps | stock, instructions a step | plugin |"
+    echo "| --- | --- | --- | --- |"
     while IFS=, read -r name count; do
         [[ -z ${SCENES:-} || " $SCENES " = *" $name "* ]] || continue
         count=${steps:-$count}
         sums=()
         profiled "$build/bin/boomerang-scene" "$name" --mode time --steps "$count"
         sums+=("$(inclusive b2World::Step)")
-        # Preloaded, Box2D's functions come first: as if the plugin were linked behind it.
-        LD_PRELOAD=$box2d profiled "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count"
-        sums+=("$(inclusive b2World::Step)")
         profiled "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count"
         sums+=("$(inclusive b2World::Step)")
-        echo "| $name | $count | $((sums[0] / count)) | $(ratio "${sums[0]}" "${sums[1]}") |" \
-            "$(ratio "${sums[0]}" "${sums[2]}") |"
+        echo "| $name | $count | $((sums[0] / count)) | $(ratio "${sums[0]}" "${sums[1]}") |"
     done < <(list_scenes)
 }
 

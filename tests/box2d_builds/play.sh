@@ -6,18 +6,18 @@
 #   play.sh BUILD VARIANT PLUGIN only GAME...
 #
 # Plays all named games, the random ones of these seeds, or these games, on one Box2D of the shelf: without the plugin, with it
-# preloaded, linked ahead, linked behind, and (where BOX2D_BUILDS_WAYS says so) compiled with it. Exit status and every line must be those without it. A game that stock does not end
+# preloaded, linked ahead, and (where BOX2D_BUILDS_WAYS says so) compiled with it. Exit status and every line must be those without it. A game that stock does not end
 # well is a failure, too: of the game. BUILD: where the shelf was built. An accelerated Box2D that fuses products elsewhere does not: it is
 # held against another program, BOX2D_BUILDS_UNFUSED.
 #
-# Environment: BOX2D_BUILDS_WAYS   the ways of the plugin (default: preloaded ahead behind)
+# Environment: BOX2D_BUILDS_WAYS   the ways of the plugin (default: preloaded ahead)
 #              BOX2D_BUILDS_UNFUSED  the program that has the bits of the accelerated ones (default: the variant's)
 #              BMR_TEST_SEED       the first seed (default 1)
 #              BOX2D_BUILDS_SEEDS  so many of them (default 3)
 set -uo pipefail
 build=${1:?} variant=${2:?} plugin=${3:?} what=${4:?}
 shift 4
-read -ra ways <<<"${BOX2D_BUILDS_WAYS:-preloaded ahead behind}"
+read -ra ways <<<"${BOX2D_BUILDS_WAYS:-preloaded ahead}"
 program=$build/$variant/games_$variant
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT

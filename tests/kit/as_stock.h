@@ -13,10 +13,6 @@
 
 namespace as_stock {
 
-/// Is the library ahead of Box2D in this program? Then it sees the changes itself. Otherwise the program
-/// links the glue alone, and tells it. (Each form of a program defines it: as_stock/CMakeLists.txt.)
-extern const bool kAhead;
-
 /// How the library is installed.
 struct Form {
     const char *name;
@@ -61,8 +57,7 @@ inline std::string Played(const Scenario &play, const Form &form, unsigned how) 
 }
 
 /// The claim of every game, which also counts what its name describes, and requires more than none of it
-/// (Game::TookPlace, or Game::Stage): a game that does not is a failure. With BMR_AS_STOCK in the environment
-/// in the form of this name alone.
+/// (Game::TookPlace, or Game::Stage): a game that does not is a failure.
 inline void AsStock(const Scenario &play, unsigned how = kAsAny) {
     const std::string stock = InChild([&play, how](Run &run) {
         play(run);
@@ -70,11 +65,8 @@ inline void AsStock(const Scenario &play, unsigned how = kAsAny) {
     });
     REQUIRE(stock != "");
     REQUIRE(Difference(stock, stock) == "");
-    const std::string only = std::getenv("BMR_AS_STOCK") != nullptr ? std::getenv("BMR_AS_STOCK") : "";
     for (const Form &form : kForms) {
         const std::string name = form.name;
-        if (only != "" && name != only)
-            continue;
         CAPTURE(name);
         REQUIRE(Difference(stock, Played(play, form, how)) == "");
     }

@@ -60,10 +60,8 @@ public:
     bool Counts() const { return HasPlugin() && m_options->statistics && !Verifies(); }
     bool Verifies() const { return HasPlugin() && m_options->mode == bmr::Mode::Verify; }
     bool IsUncounted() const { return HasPlugin() && !m_options->statistics; }
-    /// Do contacts remember edges? Else the hulls of bodies have structures: where passes run.
-    bool RemembersEdges() const {
-        return HasPlugin() && (std::getenv("BOOMERANG_PAIRS_BY") == nullptr || !bmr::GetPresence().passesRun);
-    }
+    /// Do contacts remember edges? Else the hulls of bodies have structures.
+    bool RemembersEdges() const { return HasPlugin() && std::getenv("BOOMERANG_PAIRS_BY") == nullptr; }
     /// Does nothing in a stock run.
     void Install() {
         if (HasPlugin())

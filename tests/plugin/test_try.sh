@@ -29,7 +29,7 @@ misses() { ! says "$1"; }
 
 holds "a game with a shared Box2D profits or not, and nothing differs" tries 0 -- "$bin/plain_game"
 holds "it says where Box2D is" says 'Box2D is a shared library here, /.*/libbox2d\.so'
-holds "it says what is at work" says 'ahead of Box2D 2\.4\.1\. It runs whole steps'
+holds "it says what is at work" says 'ahead of Box2D 2\.4\.1\. A step'
 holds "it says what a step takes" says 'A step takes [0-9.]+ [mu]s in stock Box2D and [0-9.]+ [mu]s with Boomerang: .* \(one round of 240 steps\)'
 holds "it says what was compared" says 'Under verify [1-9][0-9,]+ answers were compared with Box2D.s: none differs'
 holds "it says how to go on, or that it does not pay" says 'LD_PRELOAD=/.*/libboomerang_box2d.* .*/plain_game|does not pay'
@@ -62,7 +62,7 @@ holds "says so, and a line that a shell takes" says "nothing in it calls bmr::In
 holds "one that is linked behind Box2D" tries 3 "$bin/late_game"
 holds "is looked at as it was built" says 'is linked with Boomerang already, but .*/libbox2d.*Link boomerang::box2d ahead of Box2D\.'
 holds "one that wraps b2World::Step" tries 3 "$bin/wrapping_game"
-holds "says so, and what to do" says 'wrapping_game has a b2World::Step of its own.*Give that function another name\.'
+holds "says so, and what to do" says 'wrapping_game has a b2World::Step of its own.*, give it another name\.'
 preloaded() { LD_PRELOAD=${boomerang%/bin/*}/lib/libboomerang_box2d.so tries "$@"; }
 holds "the library is preloaded already" preloaded 0 -- "$bin/plain_game"
 holds "says so" says 'is preloaded already \(LD_PRELOAD\), ahead of Box2D 2'

@@ -85,27 +85,23 @@ struct Options {
     Outlines outlines = Outlines::Pieces;
 };
 
-/// Makes Boomerang the polygon-against-polygon contact of every world in the process. If Box2D calls the
-/// functions that our passes replace (Presence::passesRun), whole steps are ours, too. Call it once, before
-/// or after worlds exist (contacts that exist already keep working as stock), and not while another thread is
-/// in b2World::Step. The environment (BOOMERANG, BOOMERANG_VERBOSE, ...; docs/is-it-for-my-game.md) overrides
-/// the options. Returns whether this call put the plugin to work. False at a second call, if the mode is Off,
-/// if the plugin does not know the Box2D of this process, or if there is no memory (one line on stderr says
-/// so, once).
+/// Puts Boomerang to work for every world in the process. Call it once, before or after worlds exist
+/// (contacts that exist already keep working as stock), and not while another thread is in b2World::Step. The
+/// environment (BOOMERANG, BOOMERANG_VERBOSE, ...; docs/is-it-for-my-game.md) overrides the options. Returns
+/// whether this call put the plugin to work. False at a second call, and if the mode is Off. It is also
+/// false, and Box2D runs as it is, if the plugin does not know the Box2D of this process, if Box2D does not
+/// call all functions that our passes replace (a small world is stepped to find out, about 0.1 ms), or if
+/// there is no memory: one line on stderr says which, once.
 BMR_BOX2D_API bool Install(const Options &options = Options());
 BMR_BOX2D_API bool IsInstalled();
 
 /// How the plugin works with the Box2D of this process. BOOMERANG_VERBOSE=1 prints the same.
 struct Presence {
     /// How Box2D's calls reach the library: "ahead of Box2D" (for the loader), "compiled with Box2D"
-    /// (boomerang_accelerate), "behind a wrapper of Box2D" (another b2World::Step is ahead), "behind Box2D"
-    /// or "contacts alone of Box2D" (the glue without the plugin).
+    /// (boomerang_accelerate), or not at all: "not ahead of Box2D".
     const char *way = "";
-    const char *box2d = ""; ///< "2.4.1" or "2.4.2"
-    /// True once Install has seen that Box2D's calls reach all functions that our passes replace: it steps
-    /// a small world to find out (about 0.1 ms). Otherwise only the contacts of polygons are ours.
-    bool passesRun = false;
-    const char *whyNot = ""; ///< why no pass of ours runs, in a few words; empty until Install has looked
+    const char *box2d = "";  ///< "2.4.1" or "2.4.2"
+    const char *whyNot = ""; ///< why Install refused, in a few words; empty where it did not
 };
 BMR_BOX2D_API Presence GetPresence();
 

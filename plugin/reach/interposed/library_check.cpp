@@ -117,29 +117,22 @@ bool AnyBox2DBehind() {
     return dlsym(RTLD_NEXT, kStep) != nullptr;
 }
 
-bool AWrapperStepsFirst() {
-    const void *world = Find(kWorld);
-    return boundStep != nullptr && world != nullptr && FileOf(boundStep) != FileOf(world);
+bool ProgramStepsFirst() {
+    return IsInProgram(boundStep);
 }
 
 const char *WhyNoStepComesBy() {
     const char *first = PathOf(boundStep);
-    if (!StepsComeByHere() && AWrapperStepsFirst() && IsInProgram(boundStep))
+    if (!StepsComeByHere() && ProgramStepsFirst())
         std::snprintf(words, sizeof words,
-                      "%s has a b2World::Step of its own, so that contacts alone can be answered. Give that "
-                      "function another name",
+                      "%s has a b2World::Step of its own. If Box2D is compiled into it, use "
+                      "boomerang_accelerate(); if it is a function around Box2D's, give it another name",
                       first);
-    else if (!StepsComeByHere() && IsInProgram(boundStep))
-        return kInside;
     else if (!StepsComeByHere() && IsPreloaded())
         std::snprintf(words, sizeof words, "%s is ahead of it. Name it first: LD_PRELOAD=\"%s %s\"", first,
                       OurPath(), first);
     else if (!StepsComeByHere())
-        std::snprintf(
-            words, sizeof words,
-            "%s is ahead of it, so that contacts alone can be answered. Link boomerang::box2d ahead "
-            "of Box2D",
-            first);
+        std::snprintf(words, sizeof words, "%s is ahead of it. Link boomerang::box2d ahead of Box2D", first);
     else if (AnyBox2DBehind())
         std::snprintf(words, sizeof words, "this program never called b2World::Step");
     else
@@ -159,15 +152,6 @@ const char *WhyModuleIsLeftAlone() {
                   "compiled, use boomerang_accelerate()",
                   path.data());
     return words;
-}
-
-bool InitialiseBox2D() {
-    Dl_info info;
-    const void *world = Find(kWorld);
-    // A library is initialised when dlopen returns. (It is not closed: it is the program's.) The program
-    // itself is initialised after all that it loads.
-    return world != nullptr && !IsInProgram(world) && dladdr(world, &info) != 0 &&
-           dlopen(info.dli_fname, RTLD_NOW | RTLD_NOLOAD) != nullptr;
 }
 
 bool internal::MeetBox2D(const void *function) {

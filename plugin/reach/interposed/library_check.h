@@ -15,9 +15,8 @@ bool AnyBox2DBehind();
 /// names can be seen: a program shows what a library that it is linked with has, too.
 bool AnotherIsCompiledIn();
 
-/// Where StepsComeByHere() is false: is the b2World::Step that is called a wrapper, in another file than the
-/// rest of Box2D? It may call Box2D's own, which then calls what hooks stand in front of.
-bool AWrapperStepsFirst();
+/// Where StepsComeByHere() is false: is the b2World::Step that is called in the program itself?
+bool ProgramStepsFirst();
 
 /// If no step is seen: the reason, and the line to write, in a few words. The answer lives until the next
 /// call.
@@ -25,11 +24,6 @@ const char *WhyNoStepComesBy();
 
 /// The same for a module's own Box2D, if AnyBox2DBehind() is false and a step is seen all the same.
 const char *WhyModuleIsLeftAlone();
-
-/// Runs the initialisers of the libbox2d in search order, if they are still to run: it was loaded with the
-/// program, but this library, which does not ask for it, may be initialised first. False if there is none, or
-/// if it is inside the program, whose initialisers cannot be run from here.
-bool InitialiseBox2D();
 
 /// Why the libbox2d that was loaded must be left alone, or nullptr: the program calls another one, a symbol
 /// of box2d_symbols.inc is not there, or not all are in one and the same library (some are the program's own,

@@ -65,12 +65,11 @@ __attribute__((constructor)) void Loaded() {
         return;
     }
     ReadVerbosity();
-    const bool wrapped = !StepsComeByHere() && AWrapperStepsFirst();
     SetLibraryCheck(WhyLibraryIsUnknown);
     if (StepsComeByHere())
         SetWay("ahead of Box2D", nullptr);
     else
-        SetWay(wrapped ? "behind a wrapper of Box2D" : "behind Box2D", WhyNoStepComesBy());
+        SetWay("not ahead of Box2D", WhyNoStepComesBy());
     const std::optional<Mode> asked = ModeWithoutComplaint();
     if (asked == Mode::Off)
         return;
@@ -81,13 +80,10 @@ __attribute__((constructor)) void Loaded() {
     }
     startsAtFirstStep = true;
     SayAtExitIfNotUsed();
-    // Linked behind Box2D, say, or a wrapper is ahead. If the environment asks for it, as much as possible is
-    // done. Not where the program itself shows its Box2D (-rdynamic): that one is initialised later than this
-    // runs.
     if (StepsComeByHere())
         internal::startsByItself = true;
-    else if ((asked || wrapped) && InitialiseBox2D())
-        Install();
+    else if (asked && !ProgramStepsFirst())
+        Install(); // says that Box2D is ahead
 }
 
 } // namespace

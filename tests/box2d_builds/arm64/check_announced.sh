@@ -24,8 +24,8 @@ says() {
     grep -q "^boomerang: $2" "$room/err" && grep -q '^steps [1-9]' "$room/counts" && grep -q '^edge_checks [1-9]' "$room/counts"
 }
 says_not() { ! says "$@"; }
-work='on; ahead of Box2D 2.4.1; whole steps$'
-inside='on; compiled with Box2D 2.4.1; whole steps$'
+work='on; ahead of Box2D 2.4.1$'
+inside='on; compiled with Box2D 2.4.1$'
 refuses() { says fused "$work" || grep -q '^boomerang: not at work, .*: this Box2D fuses products' "$room/err"; }
 holds "unfused: at work" says unfused "$work"
 holds "fused: refused" refuses

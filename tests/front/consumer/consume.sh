@@ -193,7 +193,7 @@ accelerated)
     [ ! -s "$WORK/said.txt" ] || fail "stock says something: $(cat "$WORK/said.txt")"
     BOOMERANG_VERBOSE=1 "$out/bin/game" >"$WORK/game.txt" 2>"$WORK/said.txt"
     cmp "$WORK/stock.txt" "$WORK/game.txt" || fail "the accelerated game has other bits"
-    grep -q '^boomerang: on; compiled with Box2D 2\.4\.1; .*; whole steps$' "$WORK/said.txt" ||
+    grep -q '^boomerang: on; compiled with Box2D 2\.4\.1$' "$WORK/said.txt" ||
         fail "the installed package does not accelerate: $(cat "$WORK/said.txt")"
     ;;
 plain)
