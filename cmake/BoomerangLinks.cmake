@@ -138,7 +138,7 @@ function(_boomerang_check_target target)
     foreach(item IN LISTS unordered)
       _boomerang_is_named_box2d("${item}" is_named)
       if(is_named)
-        message(WARNING "${target} links ${item} ahead of boomerang::box2d, which then answers for contacts alone: link the target box2d::box2d "
+        message(WARNING "${target} links ${item} ahead of boomerang::box2d, so that bmr::Install() will refuse: link the target box2d::box2d "
           "instead of ${item}.")
       endif()
     endforeach()

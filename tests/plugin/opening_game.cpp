@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A game that opens a library in the middle of its run, when it has a world with contacts, and calls its
-// bmr::Install: opening_game [LIBRARY]. It tries to close it again, too.
+// A game that opens a library in the middle of its run, when it has a world with contacts: opening_game
+// [LIBRARY]. It tries to close it again, too.
 #include <dlfcn.h>
 
 #include "../kit/small_world.h"
 
 namespace {
 
-/// bmr::Install takes a structure with defaults, and IsInstalled nothing: the library's own environment says
-/// on.
+/// The library's own environment says on, but Box2D is ahead of it.
 bool Open(const char *library) {
     void *opened = dlopen(library, RTLD_NOW);
     if (opened == nullptr) {
@@ -17,7 +16,7 @@ bool Open(const char *library) {
     }
     const auto isInstalled = reinterpret_cast<bool (*)()>(dlsym(opened, "_ZN3bmr11IsInstalledEv"));
     const bool installed = isInstalled != nullptr && isInstalled();
-    return dlclose(opened) == 0 && installed;
+    return dlclose(opened) == 0 && !installed;
 }
 
 } // namespace
