@@ -14,7 +14,6 @@
 #include "proofs/thresholds.h"
 #include "start/settings.h"
 #include "tell/event.h"
-#include "tell/verify.h"
 #include "world/contact_marks.h"
 
 namespace bmr {
@@ -172,13 +171,6 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
         if (IsOfPolygons() && !PairsAreHulls())
             Live(HeldBy(answer, manifold->pointCount > 0, xfA, xfB));
         TellOfAnswer(*this, answer, true);
-    }
-    if (Verifying() && answer < Answer::HandedOver) {
-        // Box2D has no answer to compare with: two that are proved apart must have no points.
-        b2Manifold made = *manifold;
-        bmr_convex32_memory nothing = {};
-        CollideConvex(Two(), Seams::Known, &made, xfA, xfB, &nothing);
-        VerifyManifold(m_fixtureA, m_fixtureB, *manifold, made);
     }
 }
 

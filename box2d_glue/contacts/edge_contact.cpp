@@ -16,7 +16,6 @@
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
-#include "tell/verify.h"
 
 namespace bmr {
 
@@ -81,13 +80,8 @@ void EdgeContact::EvaluateByBox2D(b2Manifold *manifold, const b2Transform &xfA,
 }
 
 void EdgeContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
-    const bool made = EvaluateHere(manifold, xfA, xfB);
-    if (made && !Verifying())
-        return;
-    const b2Manifold ours = *manifold;
-    EvaluateByBox2D(manifold, xfA, xfB);
-    if (made)
-        VerifyManifold(m_fixtureA, m_fixtureB, ours, *manifold);
+    if (!EvaluateHere(manifold, xfA, xfB))
+        EvaluateByBox2D(manifold, xfA, xfB);
 }
 
 } // namespace bmr

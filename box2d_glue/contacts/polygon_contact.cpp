@@ -12,7 +12,6 @@
 #include "shapes/shapes32.h"
 #include "start/settings.h"
 #include "tell/event.h"
-#include "tell/verify.h"
 
 namespace bmr {
 
@@ -101,11 +100,6 @@ inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, co
         if (!PairsAreHulls()) // else the structure of the two bodies lives for them
             Live(HeldBy(answer, edgeFound));
         CountAnswer(answer);
-    }
-    if (Verifying()) {
-        const b2Manifold ours = *manifold;
-        b2CollidePolygons(manifold, &ShapeOf(m_fixtureA), xfA, &ShapeOf(m_fixtureB), xfB);
-        VerifyManifold(m_fixtureA, m_fixtureB, ours, *manifold);
     }
 }
 

@@ -16,7 +16,6 @@
 #include "start/current_step.h"
 #include "start/settings.h"
 #include "tell/exit_line.h"
-#include "tell/verify.h"
 #include "world/ledger.h"
 #include "world/ledgers.h"
 
@@ -57,7 +56,6 @@ private:
     void Look(uint32_t i, b2Contact *contact);
     void Update(b2Contact *contact);
     void Prove(uint32_t i, b2Contact *contact);
-    void Verify(uint32_t i);
     void End();
 
     void BeforeGame();
@@ -246,30 +244,11 @@ void CollidePass::Visit(uint32_t i) {
         Destroy(i, contact);
         return;
     }
-    if (!Verifying() && m_ledger->Renew(i, ApartThreshold(*m_ledger, i))) {
+    if (m_ledger->Renew(i, ApartThreshold(*m_ledger, i))) {
         Count(&Counts::renewals);
         return;
     }
     Look(i, contact);
-}
-
-/// Mode::Verify: every pair is looked at. One that has a budget must be found as it was; and one whose budget
-/// its line would renew, if it is still there.
-void CollidePass::Verify(uint32_t i) {
-    if (m_ledger->CurrentLook() != m_seen)
-        m_ledger->LookAgain(i); // as NextDue would
-    const bool due = m_ledger->IsDue(i) || m_ledger->GetMovers().AreSumsLost();
-    const bool renewed = due && m_ledger->Renew(i, ApartThreshold(*m_ledger, i));
-    const bool touches = m_ledger->Touches(i);
-    b2Contact *const contact = m_ledger->Contact(i);
-    const b2Fixture *const a = contact->GetFixtureA(), *const b = contact->GetFixtureB();
-    Visit(i);
-    const bool gone = m_ledger->Contact(i) != contact;
-    if (due && (!renewed || gone))
-        return;
-    CountVerified();
-    if (gone || contact->IsTouching() != touches)
-        ReportDifference("budget", a, b, "the contact begins or ends to touch, or is gone");
 }
 
 void CollidePass::Run() {
@@ -281,16 +260,9 @@ void CollidePass::Run() {
     m_seen = m_ledger->CurrentLook();
     m_at = m_ledger->Count();
     m_word = m_at / 64 + 1;
-    if (Verifying()) {
-        while (m_at-- > 0)
-            if (m_ledger->Contact(m_at) != nullptr && m_ledger->WatchIfAwake(m_at))
-                Verify(m_at);
-        m_at = 0;
-    } else {
-        for (uint32_t i = Next(); i != Ledger::kNone; i = Next()) {
-            m_at = i;
-            Visit(i);
-        }
+    for (uint32_t i = Next(); i != Ledger::kNone; i = Next()) {
+        m_at = i;
+        Visit(i);
     }
     End();
 }

@@ -56,14 +56,8 @@ bool Overlaps(b2Contact *contact) {
                                           ours != nullptr ? ours->Memory() : nullptr, contact->IsTouching());
     if (answer == Overlap::kUnknown)
         return ofBox2D();
-    const bool overlaps = answer == Overlap::kOverlapping;
-    if (Verifying()) {
-        const bool box2d = ofBox2D();
-        VerifyOverlap(&a, &b, overlaps, box2d);
-        return box2d;
-    }
     Count(&Counts::overlapsAnswered);
-    return overlaps;
+    return answer == Overlap::kOverlapping;
 }
 
 /// Points that were there before, by their features, keep the impulses that the solver starts from.
@@ -116,6 +110,8 @@ ContactChange UpdateContact(b2Contact *contact) {
         }
         ContactAccess::Flags(contact) ^= ContactAccess::kTouching;
     }
+    if (Verifying())
+        VerifyContact(*contact);
     return change;
 }
 

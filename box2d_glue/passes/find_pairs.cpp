@@ -68,19 +68,11 @@ private:
     }
 };
 
-using tree::BodyOf, tree::PairDescent, tree::Reports;
-
 /// The client for which b2BroadPhase::UpdatePairs is instantiated.
 class PairFinder {
 public:
     explicit PairFinder(b2ContactManager *manager)
-        : m_manager(manager), m_ledger(FollowedLedger()),
-          m_ownPairs(!OnlyCompares() && IsOfGame(manager->m_contactFilter)) {}
-
-    /// Mode::Verify: the pairs are found and compared with Box2D's way of finding them; nothing else is done.
-    static bool OnlyCompares() { return Verifying(); }
-    void Compare(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
-                 int32 foundCount);
+        : m_manager(manager), m_ledger(FollowedLedger()), m_ownPairs(IsOfGame(manager->m_contactFilter)) {}
 
     /// Are pairs of two fixtures of one body found, too? Only if a game could see that they are left out: a
     /// filter of its own may step this world in the middle of the loop. Box2D then goes on in the newer
@@ -119,51 +111,16 @@ private:
         // A filter may have made or ended contacts, where the world is not locked.
         if (m_ledger == nullptr || m_ledger->GetProxyPairs().HasUnknown() || !m_ledger->IsWhole())
             return NewContact::ExistsInList(a, b);
-        return m_ledger->GetProxyPairs().Exists(a.proxyId, b.proxyId);
+        const bool exists = m_ledger->GetProxyPairs().Exists(a.proxyId, b.proxyId);
+        if (Verifying())
+            VerifyExists(*a.fixture, *b.fixture, exists, NewContact::ExistsInList(a, b));
+        return exists;
     }
 
     b2ContactManager *m_manager;
     Ledger *m_ledger;
     bool m_ownPairs; ///< see FindsOwnPairs
 };
-
-/// The pairs in Box2D's order, from its own query, held against those that were found.
-struct ComparingQuery {
-    const b2DynamicTree *tree;
-    int32 proxy;
-    const b2Pair *next, *end;
-    bool same = true;
-
-    bool QueryCallback(int32 leaf) {
-        if (!Reports(proxy, leaf, tree->WasMoved(leaf)) ||
-            BodyOf(tree->GetUserData(leaf)) == BodyOf(tree->GetUserData(proxy)))
-            return true;
-        same = same && next != end && next->proxyIdA == b2Min(leaf, proxy) &&
-               next->proxyIdB == b2Max(leaf, proxy);
-        next += same ? 1 : 0;
-        return same;
-    }
-};
-
-void PairFinder::Compare(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
-                         int32 foundCount) {
-    CountVerified();
-    ComparingQuery query = {&tree, b2BroadPhase::e_nullProxy, found, found + foundCount};
-    for (int32 i = 0; i < count; ++i) {
-        query.proxy = moves[i];
-        if (moves[i] != b2BroadPhase::e_nullProxy)
-            tree.Query(&query, tree.GetFatAABB(moves[i]));
-    }
-    if (!query.same || query.next != query.end)
-        ReportDifference("pair finding", nullptr, nullptr, "pair %d of %d is another",
-                         static_cast<int>(query.next - found), foundCount);
-    for (int32 i = 0; i < foundCount; ++i) {
-        const auto *a = static_cast<const b2FixtureProxy *>(tree.GetUserData(found[i].proxyIdA));
-        const auto *b = static_cast<const b2FixtureProxy *>(tree.GetUserData(found[i].proxyIdB));
-        if (Exists(*a, *b) != NewContact::ExistsInList(*a, *b))
-            ReportDifference("pair finding", a->fixture, b->fixture, "whether there is a contact");
-    }
-}
 
 } // namespace
 
@@ -183,10 +140,9 @@ template <> void b2BroadPhase::UpdatePairs(bmr::PairFinder *finder) {
         m_pairBuffer[m_pairCount++] = {b2Min(proxy, leaf), b2Max(proxy, leaf)};
     };
     bmr::tree::PairDescent(m_tree, finder->FindsOwnPairs(), keep).Run(m_moveBuffer, m_moveCount);
-    if (finder->OnlyCompares()) {
-        finder->Compare(m_tree, m_moveBuffer, m_moveCount, m_pairBuffer, m_pairCount);
-        return;
-    }
+    if (bmr::Verifying())
+        bmr::VerifyPairs(m_tree, m_moveBuffer, m_moveCount, m_pairBuffer, m_pairCount,
+                         finder->FindsOwnPairs());
     for (int32 i = 0; i < m_pairCount; ++i) {
         const b2Pair pair = m_pairBuffer[i];
         finder->Report(*static_cast<const b2FixtureProxy *>(m_tree.GetUserData(pair.proxyIdA)),
@@ -200,19 +156,10 @@ template <> void b2BroadPhase::UpdatePairs(bmr::PairFinder *finder) {
 
 namespace bmr {
 
-void FindNewContacts(b2ContactManager *manager, void (*box2d)(b2ContactManager *)) {
+void FindNewContacts(b2ContactManager *manager) {
     DropLedgerOfEmpty(manager);
     PairFinder finder(manager);
     manager->m_broadPhase.UpdatePairs(&finder);
-    if (Verifying()) {
-        // Box2D's contacts are made without a number: none may be taken for one that ended without a word in
-        // its place.
-        if (Ledger *ledger = FindLedger(manager); ledger != nullptr && !ledger->IsWhole())
-            ledger->Resync();
-        if (IsOfGame(manager->m_contactFilter))
-            BeforeGame(manager);
-        box2d(manager);
-    }
     if (Ledger *ledger = FindLedger(manager))
         ledger->CatchUp();
 }

@@ -9,9 +9,7 @@ namespace bmr {
 /// b2ContactManager::FindNewContacts: pairs of proxies whose fat boxes have come to overlap. The same
 /// contacts are made in the same order, and the same filters asked. Pairs are found by tree/pair_descent.h;
 /// contacts that exist already, in the ledger's table of pairs, where Box2D walks over the body's list.
-///
-/// `box2d`: Box2D's own function, which Mode::Verify goes on with after it has compared the pairs.
-void FindNewContacts(b2ContactManager *manager, void (*box2d)(b2ContactManager *));
+void FindNewContacts(b2ContactManager *manager);
 
 } // namespace bmr
 

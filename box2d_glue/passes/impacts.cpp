@@ -19,7 +19,6 @@
 #include "start/box2d_asserts.h"
 #include "start/current_step.h"
 #include "start/settings.h"
-#include "tell/verify.h"
 
 namespace bmr {
 
@@ -209,9 +208,7 @@ void ImpactPass::SearchPair(uint32_t i) {
     b2Contact *const contact = m_ledger->Contact(i);
     if (m_ledger->OutlastsSweeps(i)) {
         marks.known.Set(i); // and its time is 1
-        if (!Verifying())
-            return;
-        m_isBudget = true;
+        return;
     }
     EnableIfOwed(i);
     if (!contact->IsEnabled()) {
@@ -221,7 +218,6 @@ void ImpactPass::SearchPair(uint32_t i) {
         FindTime(contact);
         Queue(i);
     }
-    m_isBudget = false;
 }
 
 /// Ahead of the first impact, where the game may have disabled contacts: a budget knows nothing of that.
@@ -352,18 +348,12 @@ void ImpactPass::FindTime(b2Contact *contact) {
 
 float ImpactPass::TimeOf(b2Contact *contact, float from) {
     b2TOIInput input;
-    const bool apart = RoundsToNearest() && IsProvedApart(*contact, &input);
-    if (apart && !Verifying())
+    if (RoundsToNearest() && IsProvedApart(*contact, &input))
         return 1.0f;
     FillInput(*contact, &input);
     b2TOIOutput output;
     if (!AnyBigPolygon() || !BigImpact(&output, input))
         b2TimeOfImpact(&output, &input);
-    if (apart || m_isBudget) {
-        b2TOIOutput ours = output;
-        ours.state = b2TOIOutput::e_separated;
-        VerifyImpact(contact->GetFixtureA(), contact->GetFixtureB(), ours, output);
-    }
     return output.state == b2TOIOutput::e_touching ? b2Min(from + (1.0f - from) * output.t, 1.0f) : 1.0f;
 }
 

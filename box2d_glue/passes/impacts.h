@@ -130,7 +130,6 @@ private:
     bool m_wasGameCalled = false; ///< since the impact began
     bool m_flagsAreRead;          ///< of all movers, ahead of the pass's first call
     bool m_budgetsDoubted = false;
-    bool m_isBudget = false; ///< Mode::Verify: a budget says that the contact which is asked has no impact
 };
 
 } // namespace bmr

@@ -9,13 +9,18 @@
 #include <cstdlib>
 
 #include <box2d/b2_body.h>
+#include <box2d/b2_chain_shape.h>
 #include <box2d/b2_collision.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_edge_shape.h>
 #include <box2d/b2_fixture.h>
-#include <box2d/b2_time_of_impact.h>
+#include <box2d/b2_polygon_shape.h>
 
+#include "contacts/convex_contact.h"
 #include "start/settings.h"
 #include "start/this_process.h"
 #include "tell/exit_line.h"
+#include "tree/pair_descent.h"
 
 namespace bmr {
 
@@ -50,22 +55,6 @@ bool Same(float a, float b) {
 
 bool Same(const b2Vec2 &a, const b2Vec2 &b) {
     return Same(a.x, b.x) && Same(a.y, b.y);
-}
-
-const char *NameOf(b2TOIOutput::State state) {
-    switch (state) {
-    case b2TOIOutput::e_unknown:
-        return "unknown";
-    case b2TOIOutput::e_failed:
-        return "failed";
-    case b2TOIOutput::e_overlapped:
-        return "overlapped";
-    case b2TOIOutput::e_touching:
-        return "touching";
-    case b2TOIOutput::e_separated:
-        break;
-    }
-    return "separated";
 }
 
 /// The first field that differs and has a meaning, or nullptr.
@@ -131,10 +120,14 @@ void SayVerifiedAtExit() {
     CallAtEnd(SayVerified);
 }
 
+namespace {
+
 void CountVerified() {
     GetCounts().verified.fetch_add(1, std::memory_order_relaxed);
 }
 
+/// `door` is what was answered; `format` says what differs, as printf does.
+BMR_FORMAT(4, 5)
 void ReportDifference(const char *door, const b2Fixture *fixtureA, const b2Fixture *fixtureB,
                       const char *format, ...) {
     GetCounts().differences.fetch_add(1, std::memory_order_relaxed);
@@ -150,22 +143,101 @@ void ReportDifference(const char *door, const b2Fixture *fixtureA, const b2Fixtu
                  GetCounts().steps.load(), door, what, PlaceOf(fixtureA).text, PlaceOf(fixtureB).text);
 }
 
+/// The manifold that Box2D's functions make of the two where they are. False if they make the one that is
+/// compared, too. Box2D knows no big polygons: of two that are found apart the plugin's own search must find
+/// no points when it begins anew.
+bool MakeByBox2D(const b2Contact &contact, b2Manifold *manifold) {
+    const b2Fixture &a = *contact.GetFixtureA(), &b = *contact.GetFixtureB();
+    const b2Transform &xfA = a.GetBody()->GetTransform(), &xfB = b.GetBody()->GetTransform();
+    if (b.GetType() != b2Shape::e_polygon)
+        return false;
+    const auto *const polygon = static_cast<const b2PolygonShape *>(b.GetShape());
+    if (ConvexContact::AsOurs(const_cast<b2Contact *>(&contact)) != nullptr) {
+        bmr_convex32_memory nothing = {};
+        if (a.GetType() != b2Shape::e_polygon || contact.GetManifold()->pointCount > 0)
+            return false;
+        CollideConvex({&a, &b, contact.GetChildIndexA()}, Seams::Known, manifold, xfA, xfB, &nothing);
+        return true;
+    }
+    b2EdgeShape link;
+    const auto *edge = static_cast<const b2EdgeShape *>(a.GetShape());
+    switch (a.GetType()) {
+    case b2Shape::e_polygon:
+        b2CollidePolygons(manifold, static_cast<const b2PolygonShape *>(a.GetShape()), xfA, polygon, xfB);
+        return true;
+    case b2Shape::e_chain:
+        static_cast<const b2ChainShape *>(a.GetShape())->GetChildEdge(&link, contact.GetChildIndexA());
+        edge = &link;
+        [[fallthrough]];
+    case b2Shape::e_edge:
+        b2CollideEdgeAndPolygon(manifold, edge, xfA, polygon, xfB);
+        return true;
+    default:
+        return false;
+    }
+}
+
+/// The pairs in Box2D's order, from its own query, held against those that were found.
+struct ComparingQuery {
+    const b2DynamicTree *tree;
+    int32 proxy;
+    bool ownPairs;
+    const b2Pair *next, *end;
+    bool same = true;
+
+    bool QueryCallback(int32 leaf) {
+        if (!tree::Reports(proxy, leaf, tree->WasMoved(leaf)) ||
+            (!ownPairs && tree::BodyOf(tree->GetUserData(leaf)) == tree::BodyOf(tree->GetUserData(proxy))))
+            return true;
+        same = same && next != end && next->proxyIdA == b2Min(leaf, proxy) &&
+               next->proxyIdB == b2Max(leaf, proxy);
+        next += same ? 1 : 0;
+        return same;
+    }
+};
+
+} // namespace
+
+void VerifyContact(const b2Contact &contact) {
+    const b2Fixture *const a = contact.GetFixtureA(), *const b = contact.GetFixtureB();
+    if (a->IsSensor() || b->IsSensor()) {
+        VerifyOverlap(a, b, contact.IsTouching(),
+                      b2TestOverlap(a->GetShape(), contact.GetChildIndexA(), b->GetShape(),
+                                    contact.GetChildIndexB(), a->GetBody()->GetTransform(),
+                                    b->GetBody()->GetTransform()));
+        return;
+    }
+    b2Manifold box2d;
+    if (MakeByBox2D(contact, &box2d))
+        VerifyManifold(a, b, *contact.GetManifold(), box2d);
+}
+
+void VerifyPairs(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
+                 int32 foundCount, bool ownPairs) {
+    CountVerified();
+    ComparingQuery query = {&tree, b2BroadPhase::e_nullProxy, ownPairs, found, found + foundCount};
+    for (int32 i = 0; i < count; ++i) {
+        query.proxy = moves[i];
+        if (moves[i] != b2BroadPhase::e_nullProxy)
+            tree.Query(&query, tree.GetFatAABB(moves[i]));
+    }
+    if (!query.same || query.next != query.end)
+        ReportDifference("pair finding", nullptr, nullptr, "pair %d of %d is another",
+                         static_cast<int>(query.next - found), foundCount);
+}
+
+void VerifyExists(const b2Fixture &a, const b2Fixture &b, bool ours, bool box2d) {
+    CountVerified();
+    if (ours != box2d)
+        ReportDifference("pair finding", &a, &b, "there is %s contact here", ours ? "a" : "no");
+}
+
 void VerifyManifold(const b2Fixture *fixtureA, const b2Fixture *fixtureB, const b2Manifold &ours,
                     const b2Manifold &box2d) {
     CountVerified();
     if (const char *field = FieldThatDiffers(ours, box2d))
         ReportDifference("polygon manifold", fixtureA, fixtureB, "%s (%d points here, %d in Box2D)", field,
                          ours.pointCount, box2d.pointCount);
-}
-
-void VerifyImpact(const b2Fixture *fixtureA, const b2Fixture *fixtureB, const b2TOIOutput &ours,
-                  const b2TOIOutput &box2d) {
-    CountVerified();
-    const bool touches = box2d.state == b2TOIOutput::e_touching;
-    if ((ours.state == b2TOIOutput::e_touching) != touches || (touches && !Same(ours.t, box2d.t)))
-        ReportDifference("time of impact", fixtureA, fixtureB, "%s at %.9g here, %s at %.9g in Box2D",
-                         NameOf(ours.state), static_cast<double>(ours.t), NameOf(box2d.state),
-                         static_cast<double>(box2d.t));
 }
 
 void VerifyOverlap(const b2Fixture *fixtureA, const b2Fixture *fixtureB, bool ours, bool box2d) {

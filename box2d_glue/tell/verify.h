@@ -2,38 +2,42 @@
 #ifndef BOOMERANG_GLUE_VERIFY_H
 #define BOOMERANG_GLUE_VERIFY_H
 
-#include "base/compiler.h"
+#include <box2d/b2_settings.h>
 
-struct b2Manifold;
-struct b2TOIOutput;
+class b2Contact;
+class b2DynamicTree;
 class b2Fixture;
+struct b2Manifold;
+struct b2Pair;
 
 /// @file
-/// Mode::Verify. If Verifying() (settings.h), code that answers in Box2D's place computes its own answer,
-/// asks Box2D too, calls one of these with both, and goes on with Box2D's. Each counts a comparison; the
-/// first difference of the process is described in one line on stderr, the others are counted. From any
-/// thread. Fixtures name the two in that line; nullptr where the caller does not know them.
+/// Mode::Verify. The passes work as in Mode::On. Where Verifying() (settings.h) they hand over here what they
+/// have answered, and Box2D is asked the same: of contacts that were looked at, of contacts that the loop
+/// over contacts passed without a look, and of pairs that were found. Each of these functions counts a
+/// comparison; the first difference of the process is described in one line on stderr, the others are
+/// counted. From any thread.
+///
+/// Not seen: times of impact, islands, boxes and the tree.
 
 namespace bmr {
 
+/// A contact is as Box2D's update of it would leave it: the manifold or, of a sensor, whether it touches. To
+/// be called before code of the game can change anything.
+void VerifyContact(const b2Contact &contact);
+
+/// The pairs of the moved proxies that overlap others, in Box2D's order. `ownPairs`: also those of two
+/// fixtures of one body.
+void VerifyPairs(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
+                 int32 foundCount, bool ownPairs);
+/// Is there a contact of these two already?
+void VerifyExists(const b2Fixture &a, const b2Fixture &b, bool ours, bool box2d);
+
 /// Two manifolds are the same where both have no points, or all fields that have a meaning agree to the bit
-/// (zeros of either sign are equal, and so are numbers that are none).
+/// (zeros of either sign are equal, and so are numbers that are none). The fixtures name the two in the line;
+/// nullptr where they are not known.
 void VerifyManifold(const b2Fixture *fixtureA, const b2Fixture *fixtureB, const b2Manifold &ours,
                     const b2Manifold &box2d);
-
-/// Two times of impact are the same where both touch at the same time, to the bit, or neither touches: of all
-/// other states SolveTOI makes no difference.
-void VerifyImpact(const b2Fixture *fixtureA, const b2Fixture *fixtureB, const b2TOIOutput &ours,
-                  const b2TOIOutput &box2d);
-
 void VerifyOverlap(const b2Fixture *fixtureA, const b2Fixture *fixtureB, bool ours, bool box2d);
-
-/// For everything else: `door` is what was answered ("pair finding"), `format` says what differs, as printf
-/// does. Not called where the two agree: CountVerified() alone then.
-BMR_FORMAT(4, 5)
-void ReportDifference(const char *door, const b2Fixture *fixtureA, const b2Fixture *fixtureB,
-                      const char *format, ...);
-void CountVerified();
 
 /// When the process ends (by exit, or by returning from main), one line on stderr says how many answers were
 /// compared and how many differed, also where none was. Called once, by Install. Of a program that forks,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "world/owed_enabling.h"
 
+#include "tell/verify.h"
 #include "world/ledger.h"
 
 namespace bmr {
@@ -23,8 +24,12 @@ void OwedEnabling::EnableDownTo(uint32_t down) {
             BMR_PREFETCH(m_ledger.Contact(word * 64 + LowestBit(left)));
         for (; owed != 0; owed &= owed - 1) {
             const uint32_t i = word * 64 + LowestBit(owed);
-            if (!m_ledger.Contact(i)->IsEnabled() && IsActive(i))
-                ContactAccess::Enable(m_ledger.Contact(i));
+            b2Contact *const contact = m_ledger.Contact(i);
+            if ((!contact->IsEnabled() || Verifying()) && IsActive(i)) {
+                ContactAccess::Enable(contact);
+                if (Verifying())
+                    VerifyContact(*contact);
+            }
         }
         m_below = first;
     }
@@ -44,7 +49,7 @@ void OwedEnabling::EnableOfSleeper(const b2Body *body) {
 }
 
 void OwedEnabling::EndPass(bool gameRan) {
-    if (gameRan || m_gameRan)
+    if (gameRan || m_gameRan || Verifying())
         EnableDownTo(0);
     m_gameRan = gameRan;
 }

@@ -14,7 +14,8 @@ namespace bmr {
 class Ledger;
 
 /// Box2D's loop over contacts enables every active contact that it passes. A contact that our pass did not
-/// look at is owed the enabling, and gets it before the first call that could see the difference.
+/// look at is owed the enabling, and gets it before the first call that could see the difference. In
+/// Mode::Verify these contacts are held against Box2D's own answer as they get it.
 class OwedEnabling {
 public:
     explicit OwedEnabling(const Ledger *ledger) : m_ledger(*ledger) {}
@@ -47,7 +48,7 @@ public:
         m_gameRan = true;
     }
     /// The pass over pairs is complete. Code of the game that ran in this step, or since the last pass, may
-    /// have disabled contacts.
+    /// have disabled contacts. In Mode::Verify all are enabled.
     void EndPass(bool gameRan);
 
 private:

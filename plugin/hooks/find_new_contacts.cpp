@@ -10,7 +10,7 @@ BMR_FOR_LOADERS("_ZN16b2ContactManager15FindNewContactsEv");
 
 void b2ContactManager::FindNewContacts() {
     if (bmr::PassesRun(bmr::HookOf::FindNewContacts))
-        bmr::FindNewContacts(this, [](b2ContactManager *manager) { bmr::stock::FindNewContacts(manager); });
+        bmr::FindNewContacts(this);
     else
         bmr::stock::FindNewContacts(this);
 }

@@ -373,3 +373,24 @@ AS_STOCK("nothing is allocated for pairs that stay apart") {
     world.game.Stage(world.game.world.GetContactCount() == contacts, "no pair comes or goes");
     run.Expect(BytesInUse() == before, "nothing was kept");
 }
+
+TEST_CASE("verify notices a contact that a step passes over and that Box2D would change" *
+          doctest::skip(!kAhead)) {
+    bmr::Options options;
+    options.mode = bmr::Mode::Verify;
+    const std::string said = InChild(
+        [](Run &run) {
+            Needles needles(run);
+            needles.game.Step(20);
+            const bmr::Counted before = bmr::internal::ReadCounts();
+            const_cast<b2Contact *>(needles.game.world.GetContactList())->GetManifold()->pointCount = 1;
+            const std::string line = StderrOf([&] { needles.game.Step(); });
+            const bmr::Counted after = bmr::internal::ReadCounts();
+            run.Print("%d before, %d then", int(before.differences), int(after.differences));
+            run.Print("%s", line.substr(0, line.find(',')).c_str());
+            run.Expect(before.verified > 100, "contacts are compared in every step");
+        },
+        &options);
+    CHECK(said.find("0 before, 1 then\nboomerang: first difference from Box2D\n") != std::string::npos);
+    CHECK(said.find('!') == std::string::npos);
+}

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Mode::Verify tells two answers apart by each of their fields, counts all differences and describes the
 // first.
-#include <box2d/b2_time_of_impact.h>
-
 #include "as_stock.h"
+#include "base/private_members.h"
 #include "tell/verify.h"
 
 using namespace as_stock;
@@ -21,13 +20,6 @@ b2Manifold TwoPoints() {
         m.points[i].id.key = static_cast<uint32>(i);
     }
     return m;
-}
-
-b2TOIOutput Impact(b2TOIOutput::State state, float t) {
-    b2TOIOutput output;
-    output.state = state;
-    output.t = t;
-    return output;
 }
 
 /// What comparisons add to the counts of a process that compares for the first time, and what it says of
@@ -60,10 +52,6 @@ bool OneDiffers(const Told &told) {
 
 bool Differ(const b2Manifold &ours, const b2Manifold &box2d) {
     return OneDiffers(By([&] { bmr::VerifyManifold(nullptr, nullptr, ours, box2d); }));
-}
-
-bool Differ(const b2TOIOutput &ours, const b2TOIOutput &box2d) {
-    return OneDiffers(By([&] { bmr::VerifyImpact(nullptr, nullptr, ours, box2d); }));
 }
 
 bool Differ(bool ours, bool box2d) {
@@ -109,24 +97,48 @@ TEST_CASE("without points, or where both are no numbers, there is nothing to dif
     CHECK(Differ(ours, box2d));
 }
 
-TEST_CASE("times of impact differ by touching, and by when") {
-    const b2TOIOutput touching = Impact(b2TOIOutput::e_touching, 0.5f);
-    CHECK(!Differ(touching, touching));
-    CHECK(Differ(touching, Impact(b2TOIOutput::e_touching, std::nextafterf(0.5f, 1.0f))));
-    const b2TOIOutput others[] = {Impact(b2TOIOutput::e_unknown, 0.0f), Impact(b2TOIOutput::e_failed, 0.1f),
-                                  Impact(b2TOIOutput::e_overlapped, 0.2f),
-                                  Impact(b2TOIOutput::e_separated, 0.5f)};
-    for (const b2TOIOutput &other : others) {
-        CHECK(Differ(touching, other));
-        CHECK(Differ(other, touching));
-        CHECK(!Differ(other, others[0]));
-    }
-}
-
 TEST_CASE("overlaps differ by their answer") {
     for (const bool ours : {false, true})
         for (const bool box2d : {false, true})
             CHECK(Differ(ours, box2d) == (ours != box2d));
+}
+
+TEST_CASE("a contact is held against Box2D's own answer where its bodies are") {
+    b2World world({0.0f, 0.0f});
+    b2PolygonShape box, wide;
+    box.SetAsBox(1.0f, 1.0f);
+    wide.SetAsBox(20.0f, 1.0f);
+    b2EdgeShape edge;
+    edge.SetTwoSided({-1.0f, 0.95f}, {1.0f, 0.95f});
+    b2ChainShape chain;
+    const b2Vec2 links[] = {{1.0f, 0.95f}, {0.0f, 0.95f}, {-1.0f, 0.95f}};
+    chain.CreateChain(links, 3, {2.0f, 0.95f}, {-2.0f, 0.95f});
+    b2BodyDef def;
+    const b2Shape *const shapes[] = {&box, &edge, &chain, &box};
+    for (int i = 0; i < 4; ++i) {
+        def.position.Set(5.0f * Real(i), 0.0f);
+        b2FixtureDef fixture;
+        fixture.shape = shapes[i];
+        fixture.isSensor = i == 3;
+        world.CreateBody(&def)->CreateFixture(&fixture);
+    }
+    def.type = b2_dynamicBody;
+    def.position.Set(7.5f, 1.9f);
+    world.CreateBody(&def)->CreateFixture(&wide, 1.0f);
+    world.Step(0.0f, 1, 1);
+    int contacts = 0;
+    for (b2Contact *contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
+        const auto differs = [contact] { return OneDiffers(By([&] { bmr::VerifyContact(*contact); })); };
+        const bool isSensor = contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor();
+        ++contacts;
+        CHECK(!differs());
+        if (isSensor)
+            bmr::ContactAccess::Flags(contact) ^= bmr::ContactAccess::kTouching;
+        else
+            contact->GetManifold()->pointCount = 0;
+        CHECK(differs());
+    }
+    CHECK(contacts >= 4);
 }
 
 TEST_CASE("the first difference is described with its step, its door, both answers and both fixtures") {
@@ -145,16 +157,6 @@ TEST_CASE("the first difference is described with its step, its door, both answe
                 "here, 2 in Box2D); fixture 0x"));
     CHECK(Holds(manifold, " (at 3, -4, angle 0.5) against an unknown fixture\n"));
 
-    using State = b2TOIOutput::State;
-    const std::pair<State, const char *> names[] = {{State::e_unknown, "unknown"},
-                                                    {State::e_failed, "failed"},
-                                                    {State::e_overlapped, "overlapped"},
-                                                    {State::e_separated, "separated"}};
-    for (const auto &[state, name] : names) {
-        const b2TOIOutput ours = Impact(state, 0.25f), box2d = Impact(State::e_touching, 0.75f);
-        CHECK(Holds(By([&] { bmr::VerifyImpact(nullptr, fixture, ours, box2d); }).line,
-                    std::string("time of impact: ") + name + " at 0.25 here, touching at 0.75 in Box2D; "));
-    }
     CHECK(Holds(By([&] { bmr::VerifyOverlap(fixture, fixture, true, false); }).line,
                 "sensor overlap: overlap here, apart in Box2D; "));
     CHECK(Holds(By([&] { bmr::VerifyOverlap(fixture, fixture, false, true); }).line,

@@ -32,9 +32,9 @@ namespace bmr {
 enum class Mode : int32_t {
     On,
     Off,   ///< every contact and every function is Box2D's own
-    Verify ///< compute everything twice, compare, say where the two differ first, and go on with Box2D's
-           ///< answer; when the process ends (by exit, or by returning from main) say on stderr how many
-           ///< answers were compared and how many differed, also where none was
+    Verify ///< as On; what is answered about contacts and pairs is held against Box2D's own answer, and the
+           ///< first difference is said on stderr. When the process ends (by exit, or by returning from
+           ///< main) a line says how many answers were compared and how many differed, also where none was
 };
 
 /// How polygons of more than b2_maxPolygonVertices vertices are handed to a game's b2Draw. A drawer that was
