@@ -9,10 +9,6 @@
 #include "hierarchy/tree.h"
 #include "test_scale.h"
 
-/// What an output that must stay untouched points to.
-static bmr_hierarchy untouched;
-#define UNTOUCHED (&untouched)
-
 static bmr_error build(bmr_hierarchy_kind kind, const bmr_polygon *p, const bmr_allocator *allocator,
                        bmr_hierarchy **h) {
     return test_build_hierarchy(kind, p, compass, allocator, h);
@@ -24,26 +20,6 @@ static bmr_hierarchy *built_soundly(bmr_hierarchy_kind kind, const bmr_polygon *
     assert_ptr_equal(bmr_hierarchy_polygon(h), p);
     assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
     return h;
-}
-
-TEST(a_compass_too_small_for_the_polygon_is_refused) {
-    own_compass *small = compass;
-    assert_int_equal(bmr_compass_create(0, NULL, &small), BMR_ERROR_NO_POINTS);
-    assert_int_equal(bmr_compass_create(65536, NULL, &small), BMR_ERROR_TOO_MANY_POINTS);
-    assert_ptr_equal(small, compass);
-    assert_int_equal(bmr_compass_create(16, NULL, &small), BMR_OK);
-    bmr_vec2 points[17];
-    for (size_t n = 16; n <= 17; ++n) {
-        test_regular_points(n, 1.0, 0.1, points);
-        own_polygon *p = made_polygon(points, n);
-        bmr_hierarchy *h = UNTOUCHED;
-        const bmr_error expected = n == 16 ? BMR_OK : BMR_ERROR_TABLE_TOO_SMALL;
-        assert_int_equal(bmr_hierarchy_build_compass(p, small, NULL, &h), expected);
-        if (n == 16)
-            bmr_hierarchy_destroy(h, NULL);
-        else
-            assert_ptr_equal(h, UNTOUCHED);
-    }
 }
 
 TEST(a_hierarchy_is_one_block_of_the_bytes_announced_and_none_is_none) {
@@ -116,20 +92,6 @@ TEST(a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_original)
                 assert_int_equal(heap.blocks + heap.wrong_sizes, 0);
                 bmr_hierarchy_destroy(again, NULL);
             }
-}
-
-TEST(a_copy_is_refused_over_other_vertices_and_without_memory) {
-    test_random random = {9};
-    own_polygon *p = test_polygon(TEST_CIRCLE, 40, &random), *other = test_polygon(TEST_CIRCLE, 40, &random);
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p), *copy = UNTOUCHED;
-        assert_int_equal(bmr_hierarchy_copy(h, other, NULL, &copy), BMR_ERROR_WRONG_HIERARCHY);
-        test_heap heap;
-        test_heap_init(&heap, 0);
-        assert_int_equal(bmr_hierarchy_copy(h, p, &heap.allocator, &copy), BMR_ERROR_NO_MEMORY);
-        assert_ptr_equal(copy, UNTOUCHED);
-        bmr_hierarchy_destroy(h, NULL);
-    }
 }
 
 TEST(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex) {

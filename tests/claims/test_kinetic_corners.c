@@ -135,39 +135,13 @@ TEST(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition) {
     assert_int_equal(bmr_clear_decomposition(&course, 3.0, 0.0, &clear), BMR_ERROR_OUT_OF_RANGE);
 }
 
-TEST(what_makes_no_sense_is_refused) {
-    bmr_polygon *p = made_polygon(square, 4);
-    bmr_motion *motion = made_motion(bmr_piece_rest(bmr_pose_identity()));
-    double distance, time;
-    assert_int_equal(bmr_least_distance(p, p, motion, NULL, 0.0, 1.0, 1e-3, &distance, &time),
-                     BMR_ERROR_NULL_ARGUMENT);
-
-    bmr_simulation_def def = bmr_default_simulation_def();
-    def.structure = test_structure("lazy-dudley");
-    test_kds_body body = test_kds_body_make(made_polygon(square, 4));
-    const bmr_shape shapes[] = {body.shape, body.shape};
-    bmr_motion *const motions[] = {motion, NULL};
-    bmr_simulation *simulation = NULL;
-    assert_int_equal(bmr_simulation_create(&def, shapes, motions, 2, 0.0, NULL, NULL, NULL, &simulation),
-                     BMR_ERROR_NULL_ARGUMENT);
-    assert_null(simulation);
-    test_kds_body_destroy(&body);
-
-    bmr_motion_piece piece = bmr_piece_rest(bmr_pose_identity());
-    piece.kind = (bmr_motion_piece_kind)2;
-    bmr_motion *made = NULL;
-    assert_int_equal(bmr_motion_create(&piece, NULL, &made), BMR_ERROR_OUT_OF_RANGE);
-    assert_null(made);
-    bmr_motion_destroy(motion);
-    bmr_polygon_destroy(p, NULL);
-
+TEST(a_family_of_polygons_that_are_too_far_from_their_origins_is_refused) {
     // So far from its origin that the distance asked for is below the rounding of its vertices.
     bmr_vec2 far[4];
     for (int i = 0; i < 4; i++)
         far[i] = bmr_vec2_make(square[i].x + 1e5, square[i].y);
-    p = made_polygon(far, 4);
+    own_polygon *p = made_polygon(far, 4);
     const bmr_family_def family = {BMR_FAMILY_LINE, 1e9, 1, 0, 0};
     bmr_family_motion path;
     assert_int_equal(bmr_family_create(&family, p, p, NULL, &path), BMR_ERROR_OUT_OF_RANGE);
-    bmr_polygon_destroy(p, NULL);
 }

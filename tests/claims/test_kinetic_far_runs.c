@@ -101,15 +101,3 @@ TEST(too_many_looks_at_a_contact_are_refused) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         check_contact(&cases[i]);
 }
-
-// ---- speeds ----
-
-TEST(a_degree_that_is_too_high_has_no_bound) {
-    bmr_motion_piece piece = test_algebraic(0.0, (bmr_algebraic_piece){.degree = 0});
-    assert_true(bmr_motion_piece_speed(&piece, 0.0, 1.0, 1.0) == 0.0);
-    piece.as.algebraic.degree = BMR_MOTION_MAX_DEGREE + 1;
-    assert_true(bmr_motion_piece_speed(&piece, 0.0, 1.0, 1.0) == INFINITY);
-    piece.as.algebraic.degree = 0;
-    piece.as.algebraic.rotation_degree = (size_t)-1;
-    assert_true(bmr_motion_piece_speed(&piece, 0.0, 1.0, 1.0) == INFINITY);
-}

@@ -157,8 +157,9 @@ TEST_CASE("boomerang/hierarchy.h, boomerang/inflated.h") {
         });
     Row("bmr_hierarchy_copy", [](Asked &ask) {
         bmr_hierarchy *made = nullptr;
-        bmr_polygon *p =
-            ask.Or("another polygon", Round().polygon, {{Square().polygon, BMR_ERROR_WRONG_HIERARCHY}});
+        static const Body narrower(Ellipse(60, 2.9));
+        bmr_polygon *p = ask.Or("polygon of as many vertices", Round().polygon,
+                                {{narrower.polygon, BMR_ERROR_WRONG_HIERARCHY}});
         const bmr_error error =
             bmr_hierarchy_copy(ask.NotNull("hierarchy", Round().hierarchies[BMR_HIERARCHY_DUDLEY]),
                                ask.NotNull("polygon", p), ask.Allocator(), ask.Result("result", &made));

@@ -115,9 +115,12 @@ TEST_CASE("boomerang/motion.h") {
         const bmr_pose pose = {{ask.Number("x", 1, kFinite), 0},
                                ask.Number("cosine", 1, kFinite + OutOfRange({2, 0})),
                                ask.Number("sine", 0, kFinite)};
-        const bmr_motion_piece piece =
+        bmr_motion_piece piece =
             bmr_piece_screw(ask.Number("origin", 1, kFinite), pose, {0.5, ask.Number("velocity", 1, kFinite)},
                             ask.Number("spin", 1, kFinite));
+        const int kind = ask.Or<int>("kind", piece.kind, {{2, BMR_ERROR_OUT_OF_RANGE}});
+        static_assert(sizeof piece.kind == sizeof kind, "an enumeration is an int");
+        std::memcpy(&piece.kind, &kind, sizeof kind); // C++ has no such value
         bmr_motion *made = nullptr;
         const bmr_error error =
             bmr_motion_create(ask.NotNull("piece", &piece), ask.Allocator(), ask.Result("result", &made));
@@ -182,6 +185,8 @@ TEST_CASE("boomerang/motion.h") {
             bmr_motion_piece piece = {};
             piece.kind = BMR_PIECE_ALGEBRAIC;
             piece.as.algebraic.degree = Count(ask.Number("degree", 1, Gives("infinite", {9, kSizeMax})));
+            piece.as.algebraic.rotation_degree =
+                Count(ask.Number("degree of the rotation", 0, Gives("infinite", {9, kSizeMax})));
             piece.as.algebraic.a[0] = 1.0;
             return Word(bmr_motion_piece_speed(&piece, 0.0, 1.0, 1.0));
         },
@@ -220,18 +225,21 @@ TEST_CASE("boomerang/failure.h, boomerang/time_of_contact.h, kinetic/first_root.
     Row(
         "bmr_failure_time",
         [](Asked &ask) {
-            bmr_condition condition =
-                bmr_condition_beyond(0, {ask.Number("normal", 1, kFinite), 0}, 5.0, {0, 0}, 0);
-            if (ask.Number("kind of condition", 1, OutOfRange({77})) == 77.0)
-                condition.kind = 77;
+            bmr_condition condition = bmr_condition_beyond(0, {ask.Number("normal", 1, kFinite), 0},
+                                                           ask.Number("offset", 5, kFinite), {0, 0}, 0);
+            condition.kind = ask.Or("kind of condition", condition.kind,
+                                    {{BMR_CONDITION_KIND_COUNT, BMR_ERROR_OUT_OF_RANGE}});
+            condition.owner = ask.Or<uint8_t>("owner", 0, {{2, BMR_ERROR_OUT_OF_RANGE}});
             bmr_failure_options options = bmr_default_failure_options();
             options.tolerance =
                 ask.Number("tolerance", 1e-12, kAboveZero + Gives(BMR_ERROR_NOT_FINITE, {kNaN}));
             const double after = ask.Number("after", 0, kFinite + OutOfRange({101})),
                          until = ask.Number("until", 100, kFinite + Gives("a time", {1e308}));
             double time = -77.0;
-            const bmr_error error = bmr_failure_time(&condition, ThePair().rest, ThePair().comes, after,
-                                                     until, &options, ask.Watched(&time));
+            const bmr_error error = bmr_failure_time(
+                ask.NotNull("condition", &condition), ask.NotNull("motion of A", ThePair().rest),
+                ask.NotNull("motion of B", ThePair().comes), after, until, ask.NotNull("options", &options),
+                ask.Result("result", &time));
             return error != BMR_OK ? ask.Says(error) : std::isinf(time) ? "never" : "a time";
         },
         "a time");
@@ -285,7 +293,7 @@ TEST_CASE("boomerang/simulation.h") {
         def.failure.tolerance = ask.Number("tolerance", def.failure.tolerance, positive);
         def.kds.margin = ask.Number("margin", def.kds.margin, kNumber + kAboveZero);
         const bmr_shape shapes[] = {pair.Shape(), pair.Shape(), pair.Shape()};
-        bmr_motion *const motions[] = {pair.rest, pair.comes, pair.other};
+        bmr_motion *const motions[] = {pair.rest, ask.NotNull("motion", pair.comes), pair.other};
         const double bodies = ask.Number("bodies", 3, OutOfRange({0, 1})),
                      time = ask.Number("time", 0, kFinite);
         bmr_simulation *made = nullptr;
@@ -548,8 +556,8 @@ TEST_CASE("boomerang/families.h") {
             bmr_family_motion made;
             std::memset(&made, 0x77, sizeof made);
             const bmr_error error =
-                bmr_family_create(&def, ask.NotNull("a", polygon), ask.NotNull("b", polygon), ask.Allocator(),
-                                  ask.Result("result", &made));
+                bmr_family_create(ask.NotNull("def", &def), ask.NotNull("a", polygon),
+                                  ask.NotNull("b", polygon), ask.Allocator(), ask.Result("result", &made));
             if (error != BMR_OK)
                 return ask.Says(error);
             Made(ask, made.motions[0]);
@@ -566,8 +574,8 @@ TEST_CASE("boomerang/families.h") {
                                             kAboveZero + OutOfRange({kNaN}) + Gives(kOk, {kInfinity}));
         double distance = -77.0, time;
         return ask.Says(bmr_least_distance(ask.NotNull("a", pair.polygon), pair.polygon, pair.rest,
-                                           pair.comes, from, to, tolerance, ask.Result("result", &distance),
-                                           &time));
+                                           ask.NotNull("motion of B", pair.comes), from, to, tolerance,
+                                           ask.Result("result", &distance), &time));
     });
     Row("bmr_outline_points", [](Asked &ask) {
         const CountGsl here(ask.Allocator());

@@ -92,6 +92,10 @@ inline std::vector<Vertices> BadVertexArrays() {
         changed(" with an infinity", finite, [](Points &p) { p[1].y = kInfinity; });
         changed(" with a negative infinity", finite, [](Points &p) { p[2].x = -kInfinity; });
         changed(" with a coordinate of 1e38", range, [](Points &p) { p[1].x = 1e38; });
+        // (A shape of up to 8 points takes what Box2D takes.)
+        changed(" with a coordinate beyond 1e9",
+                small ? std::vector<Answer>{far, far, far, far, made(4), dented} : range,
+                [](Points &p) { p[2].y = -1.0000001e9; });
         changed(" with a coordinate of 1e-38", small ? whole : hull(19, 20, dented),
                 [](Points &p) { p[1].x = 1e-38; });
         changed(", every point twice", hull(n, 2 * n, small ? close : dented), [](Points &p) {
@@ -110,6 +114,7 @@ inline std::vector<Vertices> BadVertexArrays() {
         const Answer ofShape = small ? close : far;
         scaled(", as it is", 1.0, whole);
         scaled(" of half width 1e-38", 1e-38, {far, far, far, far, ofShape, ofShape});
+        scaled(" of half width 4e-10", 4e-10, {far, far, far, far, ofShape, ofShape});
         scaled(" of half width 1e-9", 1e-9, {made(n), made(n), made(n), made(n), ofShape, ofShape});
         scaled(" of half width 1e9", 1e9, whole);
         scaled(" of half width 1e38", 1e38, range);
