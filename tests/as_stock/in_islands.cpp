@@ -49,25 +49,6 @@ AS_STOCK("caught: PostSolve has bodies meet in a step that ends by an exception"
     game.Step(4);
 }
 
-// Box2D enables the contacts that its loop comes to: the loop ends at the newest one.
-AS_STOCK("held back: PreSolve disables a contact, and PostSolve makes a step that ends by an exception") {
-    Game game(run);
-    game.Awake({-20.0f, 0.0f});
-    b2Body *const disabled = game.Awake({-19.005f, 0.0f});
-    for (int i = 0; i < 60; ++i)
-        game.Near({6.0f * Real(i % 8), 6.0f * Real(i / 8)});
-    for (const float y : {10.0f, 20.0f}) // their islands come first
-        game.Leaning({-20.0f, y});
-    game.Listen();
-    game.Step(3);
-    disabled->SetLinearVelocity({-3.0f, 0.0f});
-    game.listener.preSolve = [disabled](b2Contact *contact) {
-        contact->SetEnabled(contact->GetFixtureB()->GetBody() != disabled);
-    };
-    game.listener.postSolve.Once([&game, &run] { StepAndThrow(game, run); });
-    game.Step(4);
-}
-
 // The contact of the shot and the post is the newest before and after, at the same place in memory.
 AS_STOCK_HOW(kMayBeSilent,
              "heaped: a listener in an impact makes a post kinematic that a shot went through, and steps the "
@@ -101,134 +82,79 @@ AS_STOCK_HOW(kMayBeSilent,
     game.Step(4);
 }
 
-// The second wall's box is all around the shot. Box2D asks for their impact once more, after the first one.
-AS_STOCK_HOW(kMayBeSilent,
-             "made: PostSolve of an impact makes bodies and steps, in which the world gets a ledger") {
-    for (const bool searches : {false, true}) {
-        Game game(run);
-        for (b2Body *wall : {game.Wall({0.0f, 0.0f}, {0.05f, 1.0f}),
-                             game.Wall({-1.15f, 0.0f}, {2.0f, 0.02f}, 0.25f * b2_pi)})
-            wall->GetFixtureList()->SetRestitution(1.0f);
-        b2Body *const shot = game.Awake({-0.4f, 0.0f}, {0.1f, 0.1f});
-        shot->SetBullet(true);
-        game.Listen();
-        game.Step(2);
-        shot->SetLinearVelocity({60.0f, 0.0f});
-        game.listener.postSolve.Once([&game, searches] {
-            game.StepWithin(); // unlocks it
-            for (int i = 0; i < 60; ++i)
-                game.Near({100.0f, 4.0f * Real(i)});
-            game.StepWithin();
-            game.world.SetContinuousPhysics(searches);
-            game.StepWithin(1.0f / 240.0f, 2);
-            game.world.SetContinuousPhysics(true);
-        });
-        game.Step(4);
-    }
-}
-
 // A train, and behind it a plate beside a row of boxes. They are two islands as long as the plate's contacts
 // with the row are disabled, and it has other joints. What joins them is then solved with the row, at the
 // place that the plate had in the train.
 AS_STOCK_HOW(kMayBeSilent,
-             "joined: PostSolve enables contacts of a body that is solved with others of a later island, or "
-             "ties it to them after a step inside the step") {
-    for (const bool ties : {false, true}) {
-        Game game(run);
-        std::vector<b2Body *> row, poles;
-        for (int i = 0; i < 12; ++i) {
-            row.push_back(game.Awake({0.9f * Real(i), 0.0f}));
-            poles.push_back(game.Wall({Real(i), 40.0f}));
-            game.Tie(poles.back(), game.Box({Real(i), 50.0f}));
-        }
-        b2Body *const plate = game.Awake({5.0f, 0.95f}, {7.0f, 0.5f});
-        for (int i = 0; i < 24; ++i)
-            game.Awake({12.4f + 0.95f * Real(i), 0.95f}, {0.5f, 0.3f});
-        game.Listen();
-        const auto enable = [plate](bool enabled) {
-            for (b2ContactEdge *edge = plate->GetContactList(); edge != nullptr; edge = edge->next)
-                if (edge->other->GetPosition().x < 10.5f)
-                    edge->contact->SetEnabled(enabled);
-        };
-        game.listener.preSolve = [&enable] { enable(false); };
-        for (b2Body *box : row)
-            box->SetLinearVelocity({0.0f, -3.0f});
-        if (ties)
-            game.listener.postSolve.Once([&] {
-                game.StepWithin(); // unlocks it
-                while (game.world.GetJointList() != nullptr)
-                    game.world.DestroyJoint(game.world.GetJointList());
-                for (b2Body *box : row)
-                    game.Tie(plate, box);
-                enable(false);
-            });
-        else
-            game.listener.postSolve = [&enable] { enable(true); };
-        game.Step(4);
+             "joined: PostSolve enables contacts of a body that is solved with others of a later island") {
+    Game game(run);
+    std::vector<b2Body *> row, poles;
+    for (int i = 0; i < 12; ++i) {
+        row.push_back(game.Awake({0.9f * Real(i), 0.0f}));
+        poles.push_back(game.Wall({Real(i), 40.0f}));
+        game.Tie(poles.back(), game.Box({Real(i), 50.0f}));
     }
+    b2Body *const plate = game.Awake({5.0f, 0.95f}, {7.0f, 0.5f});
+    for (int i = 0; i < 24; ++i)
+        game.Awake({12.4f + 0.95f * Real(i), 0.95f}, {0.5f, 0.3f});
+    game.Listen();
+    const auto enable = [plate](bool enabled) {
+        for (b2ContactEdge *edge = plate->GetContactList(); edge != nullptr; edge = edge->next)
+            if (edge->other->GetPosition().x < 10.5f)
+                edge->contact->SetEnabled(enabled);
+    };
+    game.listener.preSolve = [&enable] { enable(false); };
+    for (b2Body *box : row)
+        box->SetLinearVelocity({0.0f, -3.0f});
+    int enabled = 0;
+    game.listener.postSolve = [&] {
+        enable(true);
+        ++enabled;
+    };
+    game.Step(4);
+    game.TookPlace(enabled, "contacts are enabled");
 }
 
 // Box2D's gear reads the places in islands of bodies that are not in its own.
-AS_STOCK("read anew: PostSolve puts bodies to sleep ahead of their island, and there or later a gear reads "
-         "their places") {
-    for (const bool there : {false, true}) {
-        Game game(run);
-        std::vector<b2Body *> bodies;
-        std::vector<b2Joint *> joints;
-        for (int i = 0; i < 4; ++i)
-            bodies.push_back(game.Awake({4.0f * Real(i), 0.3f * Real(i % 2)}));
-        for (const size_t i : {0u, 2u})
-            joints.push_back(game.Hinge(bodies[i], bodies[i + 1], bodies[i]->GetPosition()));
-        std::vector<b2Body *> sleepers = {bodies[0], bodies[1]};
-        for (const float x : {-0.99f, 0.99f}) // they touch, so that there are links
-            sleepers.push_back(game.Awake({x, 0.0f}));
-        for (int i = 0; i < 60; ++i)
-            game.Near({4.0f * Real(i % 8), 10.0f + 4.0f * Real(i / 8)});
-        game.Leaning({-20.0f, 0.0f}); // their island is the first
-        game.Step(20);
-        const auto tie = [&] {
-            bodies[0]->SetEnabled(false);
-            bodies[1]->SetAwake(true);
-            b2GearJointDef gear;
-            gear.bodyA = bodies[1];
-            gear.bodyB = bodies[3];
-            gear.joint1 = joints[0];
-            gear.joint2 = joints[1];
-            game.world.CreateJoint(&gear);
-            for (size_t i = 1; i < 4; ++i)
-                bodies[i]->SetAngularVelocity(Real(static_cast<int>(i)));
-        };
-        game.Listen();
-        game.listener.postSolve.Once([&] {
-            if (there)
-                game.StepWithin(); // unlocks it
-            for (b2Body *body : sleepers)
-                body->SetAwake(false);
-            if (there)
-                tie();
-        });
-        game.Step();
-        if (!there)
-            tie();
-        game.Step(3);
-    }
-}
-
-AS_STOCK("again: a listener steps its world in an impact, whose island takes in again what it had") {
-    for (int call = 1; call <= 9; ++call) {
-        Game game(run);
-        for (int i = 0; i < 20; ++i)
-            game.Box({Real(i) - 10.0f, 0.0f});
-        b2Body *plate = game.Box({0.0f, 3.0f}, {3.0f, 0.1f});
-        plate->SetBullet(true);
-        plate->SetLinearVelocity({0.0f, -200.0f});
-        game.Listen();
-        game.listener.preSolve = [&game, plate, left = call](b2Contact *contact) mutable {
-            if (contact->GetFixtureB()->GetBody() == plate && --left == 0)
-                game.StepWithin(1.0f / 240.0f, 2);
-        };
-        game.Step(4);
-    }
+AS_STOCK("read anew: PostSolve puts bodies to sleep ahead of their island, and later a gear reads their "
+         "places") {
+    Game game(run);
+    std::vector<b2Body *> bodies;
+    std::vector<b2Joint *> joints;
+    for (int i = 0; i < 4; ++i)
+        bodies.push_back(game.Awake({4.0f * Real(i), 0.3f * Real(i % 2)}));
+    for (const size_t i : {0u, 2u})
+        joints.push_back(game.Hinge(bodies[i], bodies[i + 1], bodies[i]->GetPosition()));
+    std::vector<b2Body *> sleepers = {bodies[0], bodies[1]};
+    for (const float x : {-0.99f, 0.99f}) // they touch, so that there are links
+        sleepers.push_back(game.Awake({x, 0.0f}));
+    for (int i = 0; i < 60; ++i)
+        game.Near({4.0f * Real(i % 8), 10.0f + 4.0f * Real(i / 8)});
+    game.Leaning({-20.0f, 0.0f}); // their island is the first
+    game.Step(20);
+    const auto tie = [&] {
+        bodies[0]->SetEnabled(false);
+        bodies[1]->SetAwake(true);
+        b2GearJointDef gear;
+        gear.bodyA = bodies[1];
+        gear.bodyB = bodies[3];
+        gear.joint1 = joints[0];
+        gear.joint2 = joints[1];
+        game.world.CreateJoint(&gear);
+        for (size_t i = 1; i < 4; ++i)
+            bodies[i]->SetAngularVelocity(Real(static_cast<int>(i)));
+    };
+    game.Listen();
+    int slept = 0;
+    game.listener.postSolve.Once([&] {
+        for (b2Body *body : sleepers)
+            body->SetAwake(false);
+        ++slept;
+    });
+    game.Step();
+    tie();
+    game.Step(3);
+    game.TookPlace(slept, "bodies are put to sleep");
 }
 
 AS_STOCK("elsewhere: PostSolve has another thread step its own world, and waits for it") {

@@ -254,27 +254,6 @@ AS_STOCK("given back: a crowd goes, and while that is found out a listener steps
     }
 }
 
-AS_STOCK("few left: while a contact ends a listener steps a world of hardly any") {
-    Game game(run, {0.0f, -10.0f});
-    game.Wall({0.0f, -0.5f}, {400.0f, 0.5f});
-    std::vector<b2Body *> bodies;
-    for (int i = 0; i < 60; ++i)
-        bodies.push_back(game.Awake({3.0f * Real(i), 0.25f}, {0.25f, 0.25f}));
-    game.Step(5);
-    for (; bodies.size() > 8; bodies.pop_back())
-        game.world.DestroyBody(bodies.back());
-    game.Listen();
-    Blocks blocks;
-    game.listener.end.Once([&game, &blocks] {
-        for (int i = 0; i < 80; ++i)
-            game.StepWithin(1.0f / 60.0f, 8);
-        blocks.Take();
-    });
-    bodies[3]->DestroyFixture(bodies[3]->GetFixtureList());
-    blocks.Tell(run);
-    game.Step(20);
-}
-
 AS_STOCK("roused: a listener that is told of an island wakes bodies that sleep side by side") {
     Game game(run);
     std::vector<b2Body *> sleepers;

@@ -155,26 +155,6 @@ AS_STOCK("small: a thread with a stack of 16 KiB steps") {
     game.TookPlace(game.world.GetContactCount(), "the thread's steps make contacts");
 }
 
-AS_STOCK("sums: in one loop over contacts a body is moved far away and back again and again, and then onto "
-         "another one") {
-    for (const int calls : {4, 10, 18, 24}) {
-        Bar game(run);
-        int told = 0;
-        game.listener.preSolve = [&game, &told, calls] {
-            if (++told == 1) {
-                game.StepWithin();
-            } else if (told < calls) { // each time it is home again, in another fat box
-                game.bar->SetTransform({1000.0f, 0.0f}, 0.0f);
-                game.bar->SetTransform({0.0f, told % 2 == 0 ? 0.03f : -0.03f}, 0.0f);
-                game.bar->SetTransform({0.0f, 0.0f}, 0.0f);
-            } else if (told == calls) {
-                game.bar->SetTransform({0.0f, Bar::kGap + 0.01f}, 0.0f);
-            }
-        };
-        game.Step(3);
-    }
-}
-
 AS_STOCK("thrown: a body's shape is changed again and again, and each time an exception ends a step in the "
          "midst of a step") {
     struct Told {};
@@ -200,14 +180,6 @@ AS_STOCK("thrown: a body's shape is changed again and again, and each time an ex
         game.listener.preSolve = nullptr;
         game.Step(2);
     }
-}
-
-AS_STOCK("resumed: a shape is changed between steps, and a listener steps when the loop has seen that but "
-         "not come to its contacts") {
-    Bar game(run);
-    game.listener.preSolve.Once([&game] { game.StepWithin(); });
-    PolygonOf(game.bar)->SetAsBox(40.0f, 0.1f + Bar::kGap);
-    game.Step(3);
 }
 
 // What the listener's step does to the records of all others must not touch that of the contact that ends: or
@@ -237,29 +209,6 @@ AS_STOCK("numbers: a listener steps while the newest contact ends, when most hav
     right->SetLinearVelocity({1.0f, 0.0f});
     left->SetLinearVelocity({-1.0f, 0.0f});
     game.Step(20);
-}
-
-// The contact was made in a step that was rounded upward. The next contact gets its place in memory.
-AS_STOCK("unknown: a listener steps while a contact ends that the library was not told of") {
-    Game game(run);
-    const auto add = [&game](float x, float y) { return game.Awake({x, y}, {0.4f, 0.4f}); };
-    for (int i = 0; i < 80; ++i)
-        add(3.0f * Real(i / 2), 0.9f * Real(i % 2));
-    game.Step(3);
-    b2Body *const one = add(-50.0f, 0.0f);
-    add(-50.79f, 0.0f);
-    std::fesetround(FE_UPWARD);
-    game.StepWithin();
-    std::fesetround(FE_TONEAREST);
-    game.Listen();
-    game.listener.end.Once([&game] { game.StepWithin(); });
-    one->SetType(b2_kinematicBody);
-    one->SetTransform({-60.0f, 0.0f}, 0.0f);
-    add(-70.0f, 0.0f);
-    b2Body *const comes = add(-70.9f, 0.0f);
-    game.Step(3);
-    comes->SetLinearVelocity({1.5f, 0.0f});
-    game.Step(8);
 }
 
 AS_STOCK("twice: a filter steps while it is asked about a new pair, which so gets two contacts, of which one "
@@ -311,26 +260,4 @@ AS_STOCK("unlisted: a listener steps while a change of type ends contacts") {
         changed[i]->SetType(b2_kinematicBody);
         game.Step(3);
     }
-}
-
-AS_STOCK("parted: a listener steps the world until the boxes of its contact part") {
-    Game game(run);
-    for (int i = 0; i < 60; ++i)
-        game.Near({3.0f * Real(i), 10.0f});
-    game.Awake({0.0f, 0.0f});
-    b2Body *const leaves = game.Awake({0.995f, 0.0f});
-    game.Listen();
-    game.Step(3);
-    game.listener.preSolve.Once([&game, leaves] {
-        const auto step = [&game, leaves](float speed) {
-            leaves->SetLinearVelocity({speed, 0.0f});
-            game.StepWithin(1.0f / 60.0f, 8);
-            leaves->SetLinearVelocity({0.0f, 0.0f});
-        };
-        step(24.0f); // apart; its box lies far ahead
-        for (int i = 0; i < 3; ++i)
-            game.StepWithin(); // proved to be
-        step(0.6f);            // its box lies around it
-    });
-    game.Step(4);
 }

@@ -100,42 +100,6 @@ AS_STOCK("trapped: a program sets traps, and bodies without mass are deep in eac
     game.TookPlace(game.Touching(), "bodies without mass touch");
 }
 
-// The oldest pair touches. By the time that its turn comes, the loop has passed pairs that fly at each other,
-// and that come to touch in the steps that its listener makes then.
-AS_STOCK(
-    "within: a listener rounds otherwise for the steps that it makes in the midst of a step, or has another "
-    "thread make") {
-    Game game(run);
-    game.Leaning({0.0f, 50.0f});
-    game.Step();
-    for (int i = 0; i < 60; ++i) {
-        b2Body *const right = game.Near({3.0f * Real(i), 0.0f}, 0.15f);
-        if (i % 4 == 0)
-            right->SetLinearVelocity({-0.6f - 0.1f * Real(i), 0.1f});
-    }
-    game.Step();
-    game.Listen();
-    for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_TOWARDZERO}) {
-        const auto step = [&game, mode] {
-            std::fesetround(mode);
-            game.StepWithin(1.0f / 60.0f, 2);
-            game.StepWithin(1.0f / 60.0f, 2);
-            std::fesetround(FE_TONEAREST);
-        };
-        for (const bool elsewhere : {false, true}) {
-            game.world.SetContinuousPhysics(!elsewhere); // SolveTOI would find out, too
-            bool isDone = false;
-            game.listener.preSolve = [&](b2Contact *contact) {
-                if (isDone || contact->GetFixtureA()->GetBody()->GetPosition().y < 40.0f)
-                    return; // the pass has been at all others once it comes to the oldest contact
-                isDone = true;
-                elsewhere ? std::thread(step).join() : step();
-            };
-            game.Step(3);
-        }
-    }
-}
-
 namespace {
 
 /// With these numbers tips meet where proofs far from the origin are just good enough.
