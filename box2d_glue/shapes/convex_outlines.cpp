@@ -7,7 +7,6 @@
 #include "boomerang/convex_shape.h"
 #include "shapes/convex_registry.h"
 #include "shapes/shapes32.h"
-#include "start/reach.h"
 
 namespace bmr {
 
@@ -155,7 +154,5 @@ bmr_error ConvexShape::Simplify(float tolerance) {
     Welded welded; // none
     return SetHull(points.Get(), static_cast<int32>(left), Weld::Refused, &welded);
 }
-
-void internal::LinkOfConvexOutlines() {}
 
 } // namespace bmr

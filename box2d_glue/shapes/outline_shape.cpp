@@ -15,7 +15,6 @@
 #include "shapes/outline_mass.h"
 #include "shapes/outline_record.h"
 #include "shapes/weighing.h"
-#include "start/reach.h"
 
 namespace bmr {
 
@@ -298,7 +297,5 @@ void OutlineShape::ComputeMass(b2MassData *massData, float density) const {
     const b2Vec2 &centre = massData->center;
     massData->I = InertiaAboutOrigin(massData->mass * b2Dot(centre, centre), d * m_record->inertia);
 }
-
-void internal::LinkOfOutlineShape() {}
 
 } // namespace bmr

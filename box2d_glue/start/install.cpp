@@ -24,14 +24,6 @@ bool called = false;
 bool installed = false;
 const char *refusedWhy = nullptr;
 
-/// One line, once: nothing else of a refusal is ever seen.
-bool Refuse(const char *why) {
-    refusedWhy = why;
-    ClaimAnnouncement();
-    std::fprintf(stderr, "boomerang: not at work, Box2D runs as it is: %s\n", why);
-    return false;
-}
-
 /// Why Box2D's arithmetic is not the one that ours repeats, in a few words; nullptr where it is.
 const char *WhyRoundingIsAnother() {
     if (!Box2DRoundsAsExact32())
@@ -47,11 +39,15 @@ void Announce(const Options &options) {
 
 } // namespace
 
-bool Install(const Options &given) {
-    return InstallHere(given);
+bool Refuse(const char *why) {
+    const HoldsProcessLock lock(ProcessLock::Starting);
+    refusedWhy = why;
+    ClaimAnnouncement();
+    std::fprintf(stderr, "boomerang: not at work, Box2D runs as it is: %s\n", why);
+    return false;
 }
 
-bool InstallHere(const Options &given) {
+bool Install(const Options &given) {
     const HoldsProcessLock lock(ProcessLock::Starting);
     called = true;
     if (installed || refusedWhy != nullptr)

@@ -6,9 +6,9 @@
 
 namespace bmr {
 
-/// Install, by a name that no other library's can take: where this is in a shared Box2D, and
-/// libboomerang_box2d.so is preloaded all the same, `Install` is the latter's.
-bool InstallHere(const Options &options);
+/// From here on Install returns false, and nothing of Box2D is touched. Says why, in one line on stderr. Not
+/// copied. Returns false.
+bool Refuse(const char *why);
 
 /// Why this Box2D was left alone: what was said on stderr. nullptr where it was not.
 const char *WhyRefused();

@@ -17,17 +17,6 @@ void SetWay(const char *way, const char *whyNotAhead);
 const char *TheWay();
 const char *WhyNotAhead();
 
-namespace internal {
-
-/// Does nothing, and is defined where a part of the interface is that nothing else asks for by a name of its
-/// own. Where an archive with all of this (boomerang_accelerate) is linked behind libboomerang_box2d.so,
-/// which has the interface, too, a linker would leave that part out, and its calls would go to the library.
-void LinkOfConvexOutlines();
-void LinkOfOutlineShape();
-void LinkOfStatistics();
-
-} // namespace internal
-
 /// Is this thread stepping that small world?
 bool IsFindingReach();
 

@@ -12,7 +12,6 @@
 #include "convex32/convex32_collide.h"
 #include "proofs/polygon_view.h"
 #include "proofs/thresholds.h"
-#include "start/reach.h"
 #include "start/settings.h"
 #include "world/ledger.h"
 #include "world/ledgers.h"

@@ -41,6 +41,4 @@ Statistics GetStatistics() {
     return s;
 }
 
-void internal::LinkOfStatistics() {}
-
 } // namespace bmr

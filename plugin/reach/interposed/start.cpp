@@ -58,14 +58,13 @@ void SayAtExitIfNotUsed() {
 /// Runs when the library is loaded, possibly before other libraries' and the program's own constructors: it
 /// looks at the environment and at what else is loaded.
 __attribute__((constructor)) void Loaded() {
+    SetLibraryCheck(WhyLibraryIsUnknown);
     if (AnotherIsCompiledIn()) {
         if (ModeWithoutComplaint() != Mode::Off)
-            std::fprintf(stderr, "boomerang: libboomerang_box2d.so stands aside: %s\n",
-                         WhyLibraryIsUnknown());
+            Refuse(WhyLibraryIsUnknown());
         return;
     }
     ReadVerbosity();
-    SetLibraryCheck(WhyLibraryIsUnknown);
     if (StepsComeByHere())
         SetWay("ahead of Box2D", nullptr);
     else
@@ -83,7 +82,7 @@ __attribute__((constructor)) void Loaded() {
     if (StepsComeByHere())
         internal::startsByItself = true;
     else if (asked && !ProgramStepsFirst())
-        Install(); // says that Box2D is ahead
+        Refuse(WhyNotAhead());
 }
 
 } // namespace

@@ -18,7 +18,7 @@ void internal::StartNow() {
     StartOnce([] {
         ReadVerbosity();
         if (!InstallWasCalled())
-            InstallHere(Options());
+            Install();
     });
 }
 
@@ -30,9 +30,8 @@ bool internal::MeetBox2D(const void *) {
 namespace {
 
 // (Install may be called before the first step.)
-[[maybe_unused]] const bool told =
-    (SetWay("compiled with Box2D", nullptr), SetBox2DAsserts(stock::Asserts()), SetBox2DFails(stock::Fails),
-     internal::LinkOfConvexOutlines(), internal::LinkOfOutlineShape(), internal::LinkOfStatistics(), true);
+[[maybe_unused]] const bool told = (SetWay("compiled with Box2D", nullptr), SetBox2DAsserts(stock::Asserts()),
+                                    SetBox2DFails(stock::Fails), true);
 
 } // namespace
 
