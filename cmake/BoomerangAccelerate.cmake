@@ -16,15 +16,36 @@ if(NOT EXISTS "${BOOMERANG_ACCELERATE_SOURCE}/core") # the installed package: bo
 endif()
 set(BOOMERANG_ACCELERATE_SOURCE "${BOOMERANG_ACCELERATE_SOURCE}" CACHE INTERNAL "Where boomerang_accelerate finds core, box2d_glue and plugin")
 
-# What is renamed: Box2D's file, and what must stand in it for this to be a Box2D that is known.
-set(_boomerang_renamed
-  "b2_contact_manager.cpp@void b2ContactManager::Collide()@void b2ContactManager::Destroy(b2Contact@Destroy(cNuke)"
-  "b2_distance.cpp@void b2DistanceProxy::Set(const b2Shape@void b2Distance(b2DistanceOutput@bool b2ShapeCast("
-  "b2_dynamic_tree.cpp@int32 b2DynamicTree::CreateProxy(@void b2DynamicTree::DestroyProxy(int32@bool b2DynamicTree::MoveProxy(int32"
-  "b2_fixture.cpp@void b2Fixture::Synchronize(b2BroadPhase@void b2Fixture::Refilter()"
-  "b2_time_of_impact.cpp@void b2TimeOfImpact(b2TOIOutput"
-  "b2_world.cpp@void b2World::Step(float@void b2World::Solve(const b2TimeStep@void b2World::SolveTOI(const b2TimeStep@ b2TimeStep step@SolveTOI(step)@Solve(step)@island.SolveTOI(subStep@DestroyJoint(je0@b2World::~b2World()"
+# What must stand in Box2D's files for this to be a Box2D that is known, beside the definitions of what is renamed: the calls that the
+# renaming tells from them.
+set(_boomerang_signs
+  "b2_contact_manager@Destroy(b2Contact@Destroy(cNuke)"
+  "b2_distance@Set(const b2Shape@b2Distance(b2DistanceOutput"
+  "b2_world@::Solve(const b2TimeStep@::SolveTOI(const b2TimeStep@ b2TimeStep step@SolveTOI(step)@Solve(step)@island.SolveTOI(subStep@DestroyJoint(je0@b2World::~b2World()"
   CACHE INTERNAL "")
+
+# Box2D's files that define what hooks stand in front of, each with what must stand in it: "name.cpp@sign@...". (hook_list.h)
+function(_boomerang_read_hooks out)
+  file(READ "${BOOMERANG_ACCELERATE_SOURCE}/box2d_glue/start/hook_list.h" list)
+  string(REGEX MATCHALL "define BMR_HOOKS_OF_[a-z0-9_]+|HOOK\\([A-Za-z]+,[ \\\n]*[A-Za-z0-9:]+" words "${list}")
+  set(files "")
+  foreach(word IN LISTS words)
+    if(word MATCHES "^define BMR_HOOKS_OF_(.+)$")
+      set(file ${CMAKE_MATCH_1})
+      list(APPEND files ${file})
+      set(signs ${_boomerang_signs})
+      list(FILTER signs INCLUDE REGEX "^${file}@")
+      string(REGEX REPLACE "^${file}" "" ${file}_signs "${signs}")
+    elseif(word MATCHES "([A-Za-z0-9:]+)$")
+      string(APPEND ${file}_signs "@${CMAKE_MATCH_1}(")
+    endif()
+  endforeach()
+  set(renamed "")
+  foreach(file IN LISTS files)
+    list(APPEND renamed "${file}.cpp${${file}_signs}")
+  endforeach()
+  set(${out} "${renamed}" PARENT_SCOPE)
+endfunction()
 
 function(_boomerang_accelerate_refuses target why)
   message(FATAL_ERROR "boomerang_accelerate(${target}): ${why}")
@@ -117,6 +138,7 @@ function(_boomerang_wrap_source target renaming name_out wrapper_out)
 #define BMR_BOX2D_SOURCE "@path@"
 #define BMR_BOX2D_ISLAND "@dynamics@/b2_island.h"
 #define BMR_BOX2D_CONTACT_SOLVER "@dynamics@/b2_contact_solver.h"
+#include "@BOOMERANG_ACCELERATE_SOURCE@/box2d_glue/start/hook_list.h"
 #include "@renamed@"
 ]])
   set_source_files_properties("${wrapper}" TARGET_DIRECTORY ${target} PROPERTIES
@@ -171,7 +193,8 @@ function(boomerang_accelerate)
   set(root "${BOOMERANG_ACCELERATE_SOURCE}")
   set(renamed "${root}/plugin/reach/renamed")
   get_filename_component(dynamics "${path}" DIRECTORY)
-  foreach(renaming IN LISTS _boomerang_renamed)
+  _boomerang_read_hooks(renamed_files)
+  foreach(renaming IN LISTS renamed_files)
     _boomerang_wrap_source(${target} "${renaming}" listed wrapper)
     list(TRANSFORM sources REPLACE "^.+$" "${wrapper}" REGEX "^(.*/)?${listed}$")
   endforeach()

@@ -7,6 +7,7 @@
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
 #include "passes/collide.h"
+#include "passes/contact_access.h"
 #include "passes/impacts.h"
 #include "passes/island_solver.h"
 #include "passes/islands.h"
@@ -78,13 +79,8 @@ void ClearForces(b2World *world) {
         clear(body);
 }
 
-} // namespace
-
-bool StepIsOurs() {
-    return PassesRun() && RoundsToNearest();
-}
-
-bool Solve(b2World *world, const b2TimeStep &step) {
+/// The pass, and true; or false, and nothing done, where the thread does not round to nearest.
+bool SolveHere(b2World *world, const b2TimeStep &step) {
     const TakenSolver solver(static_cast<uint32_t>(world->GetBodyCount()),
                              static_cast<uint32_t>(world->GetContactCount()),
                              static_cast<uint32_t>(world->GetJointCount()));
@@ -94,12 +90,53 @@ bool Solve(b2World *world, const b2TimeStep &step) {
     return true;
 }
 
-bool SolveTOI(b2World *world, const b2TimeStep &step) {
+bool SolveTOIHere(b2World *world, const b2TimeStep &step) {
     const TakenSolver solver(2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
     if (solver.Get() == nullptr)
         return false;
     ImpactPass(world, step, solver.Get()).Run();
     return true;
+}
+
+void BeforeGameOf(b2World *world) {
+    const b2ContactManager &manager = world->GetContactManager();
+    if (HasCodeOfGame(manager))
+        BeforeGame(&manager);
+}
+
+} // namespace
+
+bool StepIsOurs() {
+    return PassesRun() && RoundsToNearest();
+}
+
+void Solve(b2World *world, const b2TimeStep &step, PassOfBox2D box2d) {
+    if (SolveHere(world, step))
+        return;
+    Ledger *const ledger = FindLedger(&world->GetContactManager());
+    if (ledger != nullptr)
+        ledger->GiveMarksBack();
+    BeforeGameOf(world);
+    box2d(world, step);
+    if (ledger == nullptr || !ledger->IsLookedAtIn(CurrentStep()))
+        return;
+    for (const b2Body *body = world->GetBodyList(); body != nullptr; body = body->GetNext())
+        if (BodyInIsland::Is(body) && !body->IsAwake())
+            ledger->Owed().EnableOfSleeper(body);
+}
+
+void SolveTOI(b2World *world, const b2TimeStep &step, PassOfBox2D box2d) {
+    Ledger *const ledger = FindLedger(&world->GetContactManager());
+    if (SolveTOIHere(world, step))
+        return;
+    if (ledger != nullptr) {
+        ledger->Owed().EnableDownTo(0);
+        ledger->GiveMarksBack();
+        ledger->GetBodies().NoteDisplaced();
+        ledger->Interrupt(); // and reads who touches in the next step
+    }
+    BeforeGameOf(world);
+    box2d(world, step);
 }
 
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations) {
@@ -124,12 +161,12 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
     Collide(&manager);
     profile.collide = laps.Next();
     if (advances && world->*Named(StepComplete())) {
-        if (!Solve(world, step))
+        if (!SolveHere(world, step))
             (world->*Named(SolveWorld()))(step);
         profile.solve = laps.Next();
     }
     if (advances && world->GetContinuousPhysics()) {
-        if (!SolveTOI(world, step))
+        if (!SolveTOIHere(world, step))
             (world->*Named(SolveImpacts()))(step);
         profile.solveTOI = laps.Next();
     }

@@ -17,10 +17,10 @@ bool StepIsOurs();
 /// them; and forces are cleared of the bodies that are awake alone, where it is known that no other has any.
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations);
 
-/// b2World::Solve and SolveTOI. False, and nothing done, if the pass is Box2D's: the thread does not round to
-/// nearest.
-bool Solve(b2World *world, const b2TimeStep &step);
-bool SolveTOI(b2World *world, const b2TimeStep &step);
+/// b2World::Solve and SolveTOI. `box2d`: Box2D's own, for a thread that does not round to nearest.
+using PassOfBox2D = void (*)(b2World *world, const b2TimeStep &step);
+void Solve(b2World *world, const b2TimeStep &step, PassOfBox2D box2d);
+void SolveTOI(b2World *world, const b2TimeStep &step, PassOfBox2D box2d);
 
 } // namespace bmr
 

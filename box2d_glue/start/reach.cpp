@@ -18,15 +18,14 @@ namespace bmr {
 
 namespace {
 
-constexpr const char *kHooks[] = {"b2World::Step",
-                                  "b2ContactManager::Collide",
-                                  "b2ContactManager::FindNewContacts",
-                                  "b2ContactManager::Destroy",
-                                  "b2World::Solve",
-                                  "b2World::SolveTOI",
-                                  "b2Fixture::Synchronize",
-                                  "b2DynamicTree::MoveProxy"};
-static_assert(sizeof kHooks / sizeof *kHooks == static_cast<size_t>(HookOf::Count), "each has a name");
+struct HookInTrial {
+    const char *name;
+    bool isHeard; ///< in the trial step; Box2D has to call these
+};
+constexpr bool kHeard = true, kAny = false;
+constexpr HookInTrial kHooks[] = {
+#define BMR_NAME_HOOK(name, function, symbol, heard, result, parameters, renamed) {#function, heard},
+    BMR_HOOKS(BMR_NAME_HOOK)};
 
 thread_local bool finding = false;
 std::atomic<uint32_t> noted{0};
@@ -94,15 +93,18 @@ const char *WhyNotAhead() {
 const char *WhichHookIsNotCalled() {
     if (!StepSmallWorld())
         return "there is no memory";
-    const uint32_t missing =
-        ~noted.load(std::memory_order_relaxed) & ((1u << static_cast<uint32_t>(HookOf::Count)) - 1);
-    if (missing == 0)
-        return nullptr;
-    std::snprintf(sentence, sizeof sentence,
-                  "Box2D does not call Boomerang's %s. Link boomerang::box2d ahead of it, or use "
-                  "boomerang_accelerate()",
-                  kHooks[LowestBit(missing)]);
-    return sentence;
+    uint32_t hook = 0;
+    for (const HookInTrial &listed : kHooks) {
+        if (listed.isHeard && (noted.load(std::memory_order_relaxed) >> hook & 1) == 0) {
+            std::snprintf(sentence, sizeof sentence,
+                          "Box2D does not call Boomerang's %s. Link boomerang::box2d ahead of it, or use "
+                          "boomerang_accelerate()",
+                          listed.name);
+            return sentence;
+        }
+        ++hook;
+    }
+    return nullptr;
 }
 
 } // namespace bmr

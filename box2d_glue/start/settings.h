@@ -8,6 +8,7 @@
 #include "base/compiler.h"
 #include "boomerang/box2d_glue.h"
 #include "boomerang/pair.h"
+#include "start/hook_list.h"
 #include "tell/counts.h"
 
 namespace bmr {
@@ -24,18 +25,9 @@ struct Settings {
     const bmr_compass *compass = nullptr;
 };
 
-/// A function of Box2D's that has a hook. Our passes work only where Box2D calls all of them.
-enum class HookOf : uint32_t {
-    Step,
-    Collide,
-    FindNewContacts,
-    Destroy,
-    Solve,
-    SolveToi,
-    Synchronize,
-    MoveProxy,
-    Count
-};
+/// A function of Box2D's that has a hook.
+#define BMR_NUMBER_HOOK(name, function, symbol, heard, result, parameters, renamed) name,
+enum class HookOf : uint32_t { BMR_HOOKS(BMR_NUMBER_HOOK) Count };
 
 namespace internal {
 extern Settings settings;

@@ -66,18 +66,26 @@ one_line() {
     grep -q "$2" "$room/err" || fail "$1: stderr lacks /$2/"
 }
 
-test_exported_symbols_are_the_listed_ones() {
+test_exported_symbols_are_hooks_and_the_api() {
     # (Versions have symbols of their own, which are absolute.)
     nm -D --defined-only "$plugin" | awk '$(NF - 1) != "A" { print $NF }' | LC_ALL=C sort >"$room/versioned"
     sed 's/@.*//' "$room/versioned" >"$room/exported"
-    sed -n 's/^ \{4\}\([A-Za-z0-9_]*\);.*/\1/p' "$source/reach/interposed/exports.map" | LC_ALL=C sort >"$room/listed"
-    diff "$room/listed" "$room/exported" >"$room/err" || fail "exported symbols differ from exports.map (< listed, > exported)"
-    # All but the API stand in front of functions that Box2D really has, and no hook is hidden.
+    { printf '%s\n' _ZN7b2WorldD1Ev _ZN7b2WorldD2Ev; grep -o '_Z[A-Za-z0-9_]*' "$source/../box2d_glue/start/hook_list.h"; } |
+        LC_ALL=C sort >"$room/hooks"
+    [ "$(wc -l <"$room/hooks")" -gt 20 ] || fail "no hooks found"
+    grep -v '3bmr\|^bmr_' "$room/exported" | diff "$room/hooks" - >"$room/err" || fail "hooks differ from hook_list.h (< listed, > exported)"
+    # They stand in front of functions that Box2D really has.
     nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$room/box2d"
-    grep -v '3bmr\|^bmr_' "$room/exported" | LC_ALL=C comm -23 - "$room/box2d" | grep . >"$room/err" && fail "in front of nothing"
-    sed -n 's/.*BMR_FOR_LOADERS("\([^"]*\)").*/\1/p' "$source"/hooks/*.cpp | LC_ALL=C sort -u >"$room/hooks"
-    [ -s "$room/hooks" ] || fail "no hooks found"
-    LC_ALL=C comm -23 "$room/hooks" "$room/exported" | grep . >"$room/err" && fail "hooks that nobody can see"
+    LC_ALL=C comm -23 "$room/hooks" "$room/box2d" | grep . >"$room/err" && fail "in front of nothing"
+    # The API is what its headers declare, and no more.
+    grep -h '3bmr' "$room/exported" | c++filt -p | sed -E 's/^(vtable|typeinfo|typeinfo name) for //; s/^(bmr::[A-Za-z_:~]*).*/\1/' |
+        sed -E 's/.*:://; s/^~//' | LC_ALL=C sort -u >"$room/api"
+    [ "$(wc -l <"$room/api")" -gt 30 ] || fail "no API found"
+    while read -r name; do
+        grep -rqwF -- "${name#operator}" "$source/include" "$source/../box2d_glue/include" "$source/../box2d_glue/start" "$source/../box2d_glue/tell" ||
+            echo "$name"
+    done <"$room/api" >"$room/err"
+    [ ! -s "$room/err" ] || fail "exported, and in no header"
     # Loaders find them all, linkers none.
     grep -v '3bmr\|^bmr_' "$room/versioned" | grep -v '[^@]@BOOMERANG_HOOKS$' >"$room/err" && fail "hooks that a linker would take"
     readelf -VW "$plugin" | grep -q 'Index: 2 .*Name: BOOMERANG_HOOKS$' || fail "hooks that loaders pass over"

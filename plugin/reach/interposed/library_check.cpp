@@ -16,6 +16,7 @@
 #include "reach/interposed/loaded_file.h"
 #include "reach/interposed/real.h"
 #include "start/box2d_asserts.h"
+#include "start/hook_list.h"
 
 namespace bmr {
 
@@ -43,6 +44,8 @@ constexpr Symbol kSymbols[] = {
 #define BMR_DATA(name, bytes) {#name, Kind::kData, bytes},
 #define BMR_SIGN(name) BMR_FUNCTION(name)
 #include "reach/interposed/box2d_symbols.inc"
+#define BMR_HOOK_SYMBOL(name, function, symbol, heard, result, parameters, renamed) BMR_LEAF(symbol)
+    BMR_HOOKS(BMR_HOOK_SYMBOL)
 #undef BMR_FUNCTION
 #undef BMR_LEAF
 #undef BMR_DATA

@@ -13,6 +13,10 @@
 #define BMR_DATA(name, bytes) __asm__(".weak " #name);
 #define BMR_SIGN(name)
 #include "reach/interposed/box2d_symbols.inc"
+#include "start/hook_list.h"
+#define BMR_WEAK_HOOK(name, function, symbol, heard, result, parameters, renamed) BMR_LEAF(symbol)
+BMR_HOOKS(BMR_WEAK_HOOK)
+#undef BMR_WEAK_HOOK
 #undef BMR_FUNCTION
 #undef BMR_LEAF
 #undef BMR_DATA

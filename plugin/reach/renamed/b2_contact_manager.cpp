@@ -27,21 +27,7 @@
 namespace bmr {
 namespace stock {
 
-void Collide(b2ContactManager *manager);
-void FindNewContacts(b2ContactManager *manager);
-void Destroy(b2ContactManager *manager, b2Contact *contact);
-
-void Collide(b2ContactManager *manager) {
-    manager->BmrStockCollide();
-}
-
-void FindNewContacts(b2ContactManager *manager) {
-    manager->BmrStockFindNewContacts();
-}
-
-void Destroy(b2ContactManager *manager, b2Contact *contact) {
-    manager->BmrStockDestroy(contact);
-}
+BMR_HOOKS_OF_b2_contact_manager(BMR_DECLARE_STOCK) BMR_HOOKS_OF_b2_contact_manager(BMR_DEFINE_STOCK)
 
 } // namespace stock
 } // namespace bmr

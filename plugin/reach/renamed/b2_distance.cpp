@@ -34,21 +34,7 @@ void b2DistanceProxy::Set(const b2Vec2 *vertices, int32 count, float radius) {
 namespace bmr {
 namespace stock {
 
-void Distance(b2DistanceOutput *output, b2SimplexCache *cache, const b2DistanceInput *input);
-bool ShapeCast(b2ShapeCastOutput *output, const b2ShapeCastInput *input);
-void SetProxy(b2DistanceProxy *proxy, const b2Shape *shape, int32 child);
-
-void Distance(b2DistanceOutput *output, b2SimplexCache *cache, const b2DistanceInput *input) {
-    BmrStockDistance(output, cache, input);
-}
-
-bool ShapeCast(b2ShapeCastOutput *output, const b2ShapeCastInput *input) {
-    return BmrStockShapeCast(output, input);
-}
-
-void SetProxy(b2DistanceProxy *proxy, const b2Shape *shape, int32 child) {
-    proxy->BmrStockSet(shape, child);
-}
+BMR_HOOKS_OF_b2_distance(BMR_DECLARE_STOCK) BMR_HOOKS_OF_b2_distance(BMR_DEFINE_STOCK)
 
 } // namespace stock
 } // namespace bmr

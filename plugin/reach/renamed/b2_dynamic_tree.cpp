@@ -11,21 +11,7 @@
 namespace bmr {
 namespace stock {
 
-int32 CreateProxy(b2DynamicTree *tree, const b2AABB &aabb, void *userData);
-void DestroyProxy(b2DynamicTree *tree, int32 proxy);
-bool MoveProxy(b2DynamicTree *tree, int32 proxy, const b2AABB &aabb, const b2Vec2 &displacement);
-
-int32 CreateProxy(b2DynamicTree *tree, const b2AABB &aabb, void *userData) {
-    return tree->BmrStockCreateProxy(aabb, userData);
-}
-
-void DestroyProxy(b2DynamicTree *tree, int32 proxy) {
-    tree->BmrStockDestroyProxy(proxy);
-}
-
-bool MoveProxy(b2DynamicTree *tree, int32 proxy, const b2AABB &aabb, const b2Vec2 &displacement) {
-    return tree->BmrStockMoveProxy(proxy, aabb, displacement);
-}
+BMR_HOOKS_OF_b2_dynamic_tree(BMR_DECLARE_STOCK) BMR_HOOKS_OF_b2_dynamic_tree(BMR_DEFINE_STOCK)
 
 } // namespace stock
 } // namespace bmr

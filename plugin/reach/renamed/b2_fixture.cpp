@@ -9,10 +9,7 @@ struct b2Filter;
 namespace bmr {
 namespace stock {
 
-void Refilter(b2Fixture *fixture);
-void SetFilterData(b2Fixture *fixture, const b2Filter &filter);
-void Synchronize(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                 const b2Transform &xf2);
+BMR_HOOKS_OF_b2_fixture(BMR_DECLARE_STOCK)
 
 } // namespace stock
 } // namespace bmr
@@ -33,15 +30,10 @@ void Synchronize(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform
 #undef SetFilterData
 #undef Synchronize
 
-void bmr::stock::Refilter(b2Fixture *fixture) {
-    fixture->BmrStockRefilter();
-}
+namespace bmr {
+namespace stock {
 
-void bmr::stock::SetFilterData(b2Fixture *fixture, const b2Filter &filter) {
-    fixture->BmrStockSetFilterData(filter);
-}
+BMR_HOOKS_OF_b2_fixture(BMR_DEFINE_STOCK)
 
-void bmr::stock::Synchronize(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                             const b2Transform &xf2) {
-    fixture->BmrStockSynchronize(broadPhase, xf1, xf2);
-}
+} // namespace stock
+} // namespace bmr

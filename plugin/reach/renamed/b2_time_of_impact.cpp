@@ -10,13 +10,10 @@ namespace bmr {
 
 namespace stock {
 
-void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input);
-bool Asserts();
-void Fails(const char *assertion);
+BMR_HOOKS_OF_b2_time_of_impact(BMR_DECLARE_STOCK) BMR_HOOKS_OF_b2_time_of_impact(BMR_DEFINE_STOCK)
 
-void TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
-    BmrStockTimeOfImpact(output, input);
-}
+    bool Asserts();
+void Fails(const char *assertion);
 
 bool Asserts() {
     bool asked = false;

@@ -88,41 +88,7 @@ void NoteWorldEnds(b2World *world);
 namespace bmr {
 namespace stock {
 
-void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations);
-void Solve(b2World *world, const b2TimeStep &step);
-void SolveToi(b2World *world, const b2TimeStep &step);
-void DrawShape(b2World *world, b2Fixture *fixture, const b2Transform &xf, const b2Color &color);
-b2Joint *CreateJoint(b2World *world, const b2JointDef *def);
-void DestroyJoint(b2World *world, b2Joint *joint);
-void DestroyBody(b2World *world, b2Body *body);
-
-void Step(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
-    world->BmrStockStep(timeStep, velocityIterations, positionIterations);
-}
-
-void Solve(b2World *world, const b2TimeStep &step) {
-    world->BmrStockSolve(step);
-}
-
-void SolveToi(b2World *world, const b2TimeStep &step) {
-    world->BmrStockSolveTOI(step);
-}
-
-void DrawShape(b2World *world, b2Fixture *fixture, const b2Transform &xf, const b2Color &color) {
-    world->BmrStockDrawShape(fixture, xf, color);
-}
-
-b2Joint *CreateJoint(b2World *world, const b2JointDef *def) {
-    return world->BmrStockCreateJoint(def);
-}
-
-void DestroyJoint(b2World *world, b2Joint *joint) {
-    world->BmrStockDestroyJoint(joint);
-}
-
-void DestroyBody(b2World *world, b2Body *body) {
-    world->BmrStockDestroyBody(body);
-}
+BMR_HOOKS_OF_b2_world(BMR_DECLARE_STOCK) BMR_HOOKS_OF_b2_world(BMR_DEFINE_STOCK)
 
 } // namespace stock
 } // namespace bmr

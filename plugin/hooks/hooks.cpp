@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// The hooks: definitions of Box2D's own functions, ahead of Box2D's (start/hook_list.h). Each hands the call
+// to our passes, or to the function of Box2D's that it stands in front of.
+#include <box2d/b2_contact.h>
+#include <box2d/b2_contact_manager.h>
+#include <box2d/b2_distance.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_joint.h>
+#include <box2d/b2_time_of_impact.h>
+#include <box2d/b2_time_step.h>
+#include <box2d/b2_world.h>
+
+#include "base/rounding_mode.h"
+#include "contacts/solid_contact.h"
+#include "passes/collide.h"
+#include "passes/contact_access.h"
+#include "passes/find_pairs.h"
+#include "passes/step.h"
+#include "proofs/convex_distance.h"
+#include "reach/stock.h"
+#include "shapes/convex_draw.h"
+#include "shapes/convex_geometry.h"
+#include "start.h"
+#include "start/current_step.h"
+#include "start/settings.h"
+#include "tell/exit_line.h"
+#include "tree/fixture_boxes.h"
+#include "tree/proxies.h"
+#include "world/ledger.h"
+#include "world/ledgers.h"
+
+using namespace bmr;
+
+#define BMR_SEEN_BY_LOADERS(name, function, symbol, heard, result, parameters, renamed)                      \
+    BMR_FOR_LOADERS(#symbol);
+BMR_HOOKS(BMR_SEEN_BY_LOADERS)
+
+// A step: it starts the library if bmr::Install was not called, and marks the thread as stepping this world.
+
+namespace {
+
+BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterations,
+                           int32 positionIterations) {
+    const StepUnderWay step(HasCodeOfGame(world->GetContactManager()));
+    CurrentTimeStep() = timeStep;
+    CountStep();
+    if (StepIsOurs())
+        RunStep(world, timeStep, velocityIterations, positionIterations);
+    else
+        stock::Step(world, timeStep, velocityIterations, positionIterations);
+}
+
+void StepAsAsked(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
+    if (AnyBigPolygon())
+        NoteDrawnByBox2D(nullptr, nullptr); // shapes that were drawn before a step are drawn anew after it
+    if (PassesRun(HookOf::Step))
+        StepHere(world, timeStep, velocityIterations, positionIterations);
+    else
+        stock::Step(world, timeStep, velocityIterations, positionIterations);
+}
+
+BMR_COLD void StepTimed(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
+    const TimedStep timed;
+    StepAsAsked(world, timeStep, velocityIterations, positionIterations);
+    timed.End();
+}
+
+} // namespace
+
+void b2World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
+    StartAtFirstStep();
+    if (StepsAreTimed() && !IsFindingReach())
+        StepTimed(this, timeStep, velocityIterations, positionIterations);
+    else
+        StepAsAsked(this, timeStep, velocityIterations, positionIterations);
+}
+
+// The parts of a step.
+
+void b2ContactManager::Collide() {
+    if (PassesRun(HookOf::Collide))
+        bmr::Collide(this);
+    else
+        stock::Collide(this);
+}
+
+void b2ContactManager::FindNewContacts() {
+    if (PassesRun(HookOf::FindNewContacts))
+        bmr::FindNewContacts(this);
+    else
+        stock::FindNewContacts(this);
+}
+
+void b2World::Solve(const b2TimeStep &step) {
+    if (PassesRun(HookOf::Solve))
+        bmr::Solve(this, step, [](b2World *world, const b2TimeStep &given) { stock::Solve(world, given); });
+    else
+        stock::Solve(this, step);
+}
+
+void b2World::SolveTOI(const b2TimeStep &step) {
+    if (PassesRun(HookOf::SolveToi))
+        bmr::SolveTOI(this, step,
+                      [](b2World *world, const b2TimeStep &given) { stock::SolveToi(world, given); });
+    else
+        stock::SolveToi(this, step);
+}
+
+// The broad phase, in steps and outside of them, for every caller.
+
+namespace {
+
+bool TreeIsOurs() {
+    return PassesRun(HookOf::MoveProxy) && RoundsToNearest();
+}
+
+BMR_NOINLINE bool MoveInstalled(b2DynamicTree *tree, int32 id, const b2AABB &aabb,
+                                const b2Vec2 &displacement) {
+    const auto box2d = [&] { return stock::MoveProxy(tree, id, aabb, displacement); };
+    return TreeIsOurs() ? tree::MoveProxy(*tree, id, aabb, displacement, box2d) : box2d();
+}
+
+} // namespace
+
+int32 b2DynamicTree::CreateProxy(const b2AABB &aabb, void *userData) {
+    const auto box2d = [&] { return stock::CreateProxy(this, aabb, userData); };
+    return TreeIsOurs() ? tree::CreateProxy(*this, aabb, userData, box2d) : box2d();
+}
+
+void b2DynamicTree::DestroyProxy(int32 id) {
+    const auto box2d = [&] { stock::DestroyProxy(this, id); };
+    if (TreeIsOurs())
+        tree::DestroyProxy(*this, id, box2d);
+    else
+        box2d();
+}
+
+bool b2DynamicTree::MoveProxy(int32 id, const b2AABB &aabb, const b2Vec2 &displacement) {
+    return NothingIsInstalled() ? stock::MoveProxy(this, id, aabb, displacement)
+                                : MoveInstalled(this, id, aabb, displacement);
+}
+
+void b2Fixture::Synchronize(b2BroadPhase *broadPhase, const b2Transform &xf1, const b2Transform &xf2) {
+    if (PassesRun(HookOf::Synchronize) && RoundsToNearest())
+        tree::SynchronizeBoxes(
+            this, broadPhase, xf1, xf2,
+            [](b2Fixture *fixture, b2BroadPhase *phase, const b2Transform &first, const b2Transform &second) {
+                stock::Synchronize(fixture, phase, first, second);
+            });
+    else
+        stock::Synchronize(this, broadPhase, xf1, xf2);
+}
+
+// What ends. A contact's record goes with it, and a world's ledger with the world.
+
+void b2ContactManager::Destroy(b2Contact *contact) {
+    Ledger *ledger = PassesRun(HookOf::Destroy) ? FindAndSignLedger(this) : nullptr;
+    if (ledger == nullptr)
+        return stock::Destroy(this, contact);
+    // The listener's EndContact may step the world, or end other contacts: numbers stay. And it may make
+    // others, which get the proxies of a body that is being put out of the world.
+    Ledger::Ending ending(ledger, contact);
+    stock::Destroy(this, contact);
+    ending.Complete();
+}
+
+void b2World::DestroyBody(b2Body *body) {
+    if (Ledger *ledger = FindLedger(&m_contactManager))
+        ledger->GetBodies().Forget(); // the list of bodies is another one
+    stock::DestroyBody(this, body);
+}
+
+void hooks::NoteWorldEnds(b2World *world) {
+    DropLedger(&world->GetContactManager());
+}
+
+// What flags contacts for filtering: these are due. (SetFilterData's own call of Refilter does not reach its
+// hook where Box2D's compiler binds it within its object file, as clang does, or where it is linked with
+// --wrap.)
+
+namespace {
+
+void NoteFiltering(const b2Body *body) {
+    const b2World *const world = body != nullptr ? body->GetWorld() : nullptr;
+    Ledger *ledger = world != nullptr ? FindLedger(&world->GetContactManager()) : nullptr;
+    if (ledger == nullptr)
+        return;
+    for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
+        if (SolidContact::WantsFiltering(*edge->contact))
+            ledger->Flag(edge->contact, kToBeFiltered);
+}
+
+} // namespace
+
+void b2Fixture::Refilter() {
+    if (!AnyLedger())
+        return stock::Refilter(this);
+    stock::Refilter(this);
+    NoteFiltering(GetBody());
+}
+
+void b2Fixture::SetFilterData(const b2Filter &filter) {
+    if (!AnyLedger())
+        return stock::SetFilterData(this, filter);
+    stock::SetFilterData(this, filter);
+    NoteFiltering(GetBody());
+}
+
+b2Joint *b2World::CreateJoint(const b2JointDef *def) {
+    b2Joint *joint = stock::CreateJoint(this, def);
+    if (!AnyLedger()) // whose user data may have any size in a Box2D that is not known
+        return joint;
+    // Box2D reads the definition: a gear joint's own bodies are other ones.
+    NoteFiltering(joint != nullptr ? def->bodyB : nullptr);
+    return joint;
+}
+
+void b2World::DestroyJoint(b2Joint *joint) {
+    b2Body *const body = joint != nullptr ? joint->GetBodyB() : nullptr;
+    stock::DestroyJoint(this, joint);
+    NoteFiltering(body);
+}
+
+// Questions about big polygons. b2DistanceProxy::Set makes a proxy of all vertices, and the others answer for
+// it, also if nothing is installed. (b2TestOverlap asks b2Distance.)
+
+void b2DistanceProxy::Set(const b2Shape *shape, int32 child) {
+    // (Shapes of a Box2D that is none we know are not ours to read.)
+    if (!(PassesRun() || AnyBigPolygon()) || !SetCommonProxy(this, *shape))
+        stock::SetProxy(this, shape, child);
+}
+
+void b2Distance(b2DistanceOutput *output, b2SimplexCache *cache, const b2DistanceInput *input) {
+    if (BMR_RARELY(AnyBigPolygon()) && BigDistance(output, cache, *input))
+        return;
+    stock::Distance(output, cache, input);
+}
+
+bool b2ShapeCast(b2ShapeCastOutput *output, const b2ShapeCastInput *input) {
+    bool hit;
+    if (AnyBigPolygon() && BigCast(output, *input, &hit))
+        return hit;
+    return stock::ShapeCast(output, input);
+}
+
+/// Box2D's own search takes no more than 256 vertices.
+void b2TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
+    if (!AnyBigPolygon() || !BigImpact(output, *input))
+        stock::TimeOfImpact(output, input);
+}
+
+/// The real outline, in pieces that every b2Draw has room for unless Options::outlines asks for it whole.
+void b2World::DrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color &color) {
+    const bmr_convex32_block *block = AnyBigPolygon() ? BigPolygonOf(*fixture->GetShape()) : nullptr;
+    if (block == nullptr) {
+        stock::DrawShape(this, fixture, xf, color);
+        return;
+    }
+    NoteDrawnByBox2D(this, m_debugDraw);
+    DrawOutline(*block, xf, color, GetSettings().options.outlines, *m_debugDraw);
+}
