@@ -33,8 +33,7 @@ const char *WhyRoundingIsAnother() {
 }
 
 void Announce(const Options &options) {
-    const Presence presence = GetPresence();
-    std::fprintf(stderr, "boomerang: %s; %s %s\n", NameOf(options.mode), presence.way, presence.box2d);
+    std::fprintf(stderr, "boomerang: %s; %s %s\n", NameOf(options.mode), TheWay(), VersionOfBox2D());
 }
 
 } // namespace

@@ -11,6 +11,8 @@
 
 #include "boomerang/box2d_glue.h"
 #include "start/environment.h"
+#include "start/reach.h"
+#include "start/recognise.h"
 #include "start/this_process.h"
 #include "tell/event.h"
 
@@ -104,8 +106,7 @@ void WriteCounts() {
     VisitCounts(
         [file](const char *name, uint64_t count) { std::fprintf(file, "%s %" PRIu64 "\n", name, count); },
         counted);
-    const Presence presence = GetPresence();
-    std::fprintf(file, "way %s %s\n", presence.way, presence.box2d);
+    std::fprintf(file, "way %s %s\n", TheWay(), VersionOfBox2D());
     std::fclose(file);
 }
 

@@ -78,7 +78,7 @@ test_exported_symbols_are_hooks_and_the_api() {
     nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$room/box2d"
     LC_ALL=C comm -23 "$room/hooks" "$room/box2d" | grep . >"$room/err" && fail "in front of nothing"
     # The API is what its headers declare, and no more.
-    grep -h '3bmr' "$room/exported" | c++filt -p | sed -E 's/^(vtable|typeinfo|typeinfo name) for //; s/^(bmr::[A-Za-z_:~]*).*/\1/' |
+    grep -h '3bmr' "$room/exported" | c++filt -p | sed -E 's/^(vtable|typeinfo|typeinfo name) for //; s/^(bmr::[A-Za-z0-9_:~]*).*/\1/' |
         sed -E 's/.*:://; s/^~//' | LC_ALL=C sort -u >"$room/api"
     [ "$(wc -l <"$room/api")" -gt 30 ] || fail "no API found"
     while read -r name; do
