@@ -374,8 +374,7 @@ AS_STOCK("nothing is allocated for pairs that stay apart") {
     run.Expect(BytesInUse() == before, "nothing was kept");
 }
 
-TEST_CASE("verify notices a contact that a step passes over and that Box2D would change" *
-          doctest::skip(!kAhead)) {
+TEST_CASE("verify notices a contact that a step passes over and that Box2D would change") {
     bmr::Options options;
     options.mode = bmr::Mode::Verify;
     const std::string said = InChild(
