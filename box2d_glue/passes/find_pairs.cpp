@@ -139,7 +139,10 @@ template <> void b2BroadPhase::UpdatePairs(bmr::PairFinder *finder) {
         }
         m_pairBuffer[m_pairCount++] = {b2Min(proxy, leaf), b2Max(proxy, leaf)};
     };
-    bmr::tree::PairDescent(m_tree, finder->FindsOwnPairs(), keep).Run(m_moveBuffer, m_moveCount);
+    bmr::tree::DescentRoom ownRoom;
+    bmr::tree::DescentRoom *const kept = bmr::PerThread<bmr::tree::DescentRoom>();
+    bmr::tree::PairDescent(m_tree, finder->FindsOwnPairs(), kept != nullptr ? kept : &ownRoom, keep)
+        .Run(m_moveBuffer, m_moveCount);
     if (bmr::Verifying())
         bmr::VerifyPairs(m_tree, m_moveBuffer, m_moveCount, m_pairBuffer, m_pairCount,
                          finder->FindsOwnPairs());

@@ -6,15 +6,18 @@
 #include <box2d/b2_dynamic_tree.h>
 #include <box2d/b2_fixture.h>
 
+#include "base/column.h"
+#include "base/per_thread.h"
 #include "tree/box.h"
 
 /// @file
 /// Which leaves of the tree overlap proxies that were moved, in the order in which Box2D finds them.
 ///
-///   - Proxies of one body that were moved together descend the tree together, with the box around them all.
-///     Each is then held against the few leaves of other bodies that this found. The leaves come in the order
-///     of the descent, so each proxy meets them in the order in which its own would have.
-///   - The tree is descended with boxes in registers, and a node is looked at before it is put on the stack.
+/// Box2D lets each proxy go down the tree alone. Here all go down together. Those of one body that were moved
+/// one after the other are a group, which has the box around them; a node is read once, and held against the
+/// boxes of all groups that have come to its parent. At a leaf each proxy of a group is held against it. A
+/// leaf's box lies in those of the nodes above it, so a proxy finds the leaves that it would find alone, in
+/// the order of the descent. That is not so where a box is not a number: then each proxy is a group.
 
 namespace bmr::tree {
 
@@ -23,34 +26,6 @@ struct TreeNodes {
     const b2TreeNode *nodes;
     int32 root;
 };
-
-/// Calls `visitor->Visit(box)` for each node whose box, and whose ancestors' boxes, overlap `box`, and
-/// `visitor->Take(id, node)` for the leaves among them, until one returns false; then returns false.
-template <typename Visitor> bool Descend(const TreeNodes &tree, Box box, Visitor *visitor) {
-    b2GrowableStack<int32, 256> stack;
-    const auto overlaps = [&tree, &box](int32 id) { return Overlap(box, BoxOf(tree.nodes[id].aabb)); };
-    if (tree.root != b2_nullNode && overlaps(tree.root))
-        stack.Push(tree.root);
-    while (stack.GetCount() > 0) {
-        // Down one branch, which is the second child's where there are two; the others wait.
-        int32 id = stack.Pop();
-        while (id != b2_nullNode) {
-            const b2TreeNode &node = tree.nodes[id];
-            if (!visitor->Visit(BoxOf(node.aabb)))
-                return false;
-            if (node.IsLeaf()) {
-                if (!visitor->Take(id, node))
-                    return false;
-                break;
-            }
-            const bool first = overlaps(node.child1), second = overlaps(node.child2);
-            if (first && second)
-                stack.Push(node.child1);
-            id = second ? node.child2 : first ? node.child1 : b2_nullNode;
-        }
-    }
-    return true;
-}
 
 } // namespace bmr::tree
 
@@ -69,129 +44,186 @@ inline bool Reports(int32 proxy, int32 leaf, bool moved) {
     return leaf != proxy && !(moved && leaf > proxy);
 }
 
-/// One proxy's own descent.
-template <typename Keep> struct OneProxy {
-    const b2Body *passedOver; ///< leaves of this one; nullptr: of none
-    int32 proxy;
-    const Keep &keep;
-
-    static bool Visit(Box) { return true; }
-    bool Take(int32 leaf, const b2TreeNode &node) const {
-        if (Reports(proxy, leaf, node.moved) && BodyOf(node.userData) != passedOver)
-            keep(proxy, leaf);
-        return true;
-    }
-};
-
-/// The descent of proxies of one body that follow each other among the moved ones.
-struct ManyProxies {
-    // Descents that are given up are made in vain. In gases and piles of bodies of 10 to 63 pieces these let
-    // nearly all of them end.
-    static constexpr int32 kMostLeaves = 1024, kVisitsForAProxy = 4096;
-
-    struct Leaf {
-        b2AABB box;
-        int32 proxy;
-        bool moved;
+/// Groups of proxies on their way down, and what they have found. A thread keeps the memory.
+struct DescentRoom {
+    struct Group {
+        Box box;
+        const b2Body *passedOver; ///< leaves of this one; nullptr: of none
+        uint32_t begin, end;      ///< its proxies
+    };
+    struct Proxy {
+        Box box;
+        int32 id;
+        uint32_t end; ///< of what it found, in `leaves`
+    };
+    struct Found {
+        uint32_t proxy;
+        int32 leaf;
     };
 
-    const b2Body *passedOver; ///< leaves of this one; nullptr: of none
-    int32 visitsLeft;
-    int32 count = 0;
-    Leaf leaves[kMostLeaves];
-
-    // cppcheck-suppress uninitMemberVar ; leaves are written before they are read
-    ManyProxies(const b2Body *body, int32 proxies)
-        : passedOver(body), visitsLeft(proxies * kVisitsForAProxy) {}
-
-    /// Gives up where too much is near; and at a box that is not a number, because the boxes above it in the
-    /// tree need not hold it, so that whether a proxy finds it depends on the way down.
-    bool Visit(Box box) { return --visitsLeft >= 0 && HasNumbers(box); }
-    bool Take(int32 leaf, const b2TreeNode &node) {
-        if (BodyOf(node.userData) == passedOver)
-            return true;
-        if (count == kMostLeaves)
-            return false;
-        leaves[count++] = {node.aabb, leaf, node.moved};
-        return true;
-    }
+    Column<Proxy> proxies;
+    Column<Group> groups;
+    Column<uint32_t> lists; ///< of groups: those that have come to a node
+    Column<Found> found;    ///< in the order of the descent
+    Column<int32> leaves;   ///< the same, proxy by proxy
 };
 
 /// Calls `keep(proxy, leaf)` for the pairs that Box2D would find. Without `ownPairs`, for none of two
 /// fixtures of one body.
 template <typename Keep> class PairDescent {
 public:
-    PairDescent(const b2DynamicTree &tree, bool ownPairs, const Keep &keep)
-        : m_tree(tree), m_ownPairs(ownPairs), m_keep(keep) {
+    PairDescent(const b2DynamicTree &tree, bool ownPairs, DescentRoom *room, const Keep &keep)
+        : m_tree(tree), m_ownPairs(ownPairs), m_room(*room), m_keep(keep) {
         tree.Query(&m_nodes, b2AABB());
     }
-    void Run(const int32 *moves, int32 count) const;
+
+    void Run(const int32 *moves, int32 count) {
+        if (m_nodes.root == b2_nullNode)
+            return;
+        // More at a time would not stay in the processor's caches.
+        constexpr int32 kAtATime = 1024, kMostOfGroup = 16;
+        for (int32 i = 0; i < count; i += kAtATime) {
+            const int32 some = b2Min(kAtATime, count - i);
+            if (!Group(moves + i, some, kMostOfGroup) || !Descend()) {
+                Group(moves + i, some, 1);
+                Descend();
+            }
+            Report();
+        }
+    }
 
 private:
-    bool FindTogether(const int32 *moves, int32 count) const;
-    const b2Body *PassedOver(const b2Body *body) const { return m_ownPairs ? nullptr : body; }
+    /// A node, and the part of the lists that says which groups have come there.
+    struct Visit {
+        int32 node;
+        uint32_t begin, end;
+    };
+
+    /// False where a box is not a number.
+    bool Group(const int32 *moves, int32 count, uint32_t most) {
+        m_proxyCount = m_groupCount = 0;
+        m_room.proxies.Reserve(static_cast<uint32_t>(count));
+        m_room.groups.Reserve(static_cast<uint32_t>(count));
+        const b2Body *last = nullptr;
+        bool haveNumbers = true;
+        for (int32 i = 0; i < count; ++i) {
+            if (moves[i] == b2BroadPhase::e_nullProxy)
+                continue;
+            const Box box = BoxOf(m_tree.GetFatAABB(moves[i]));
+            const b2Body *const body = BodyOf(m_tree.GetUserData(moves[i]));
+            haveNumbers = haveNumbers && HasNumbers(box);
+            m_room.proxies[m_proxyCount++] = {box, moves[i], 0};
+            DescentRoom::Group *group = m_groupCount > 0 ? &m_room.groups[m_groupCount - 1] : nullptr;
+            if (body == last && group->end - group->begin < most) {
+                group->box = Around(group->box, box);
+                group->end = m_proxyCount;
+            } else
+                m_room.groups[m_groupCount++] = {box, m_ownPairs ? nullptr : body, m_proxyCount - 1,
+                                                 m_proxyCount};
+            last = body;
+        }
+        m_single = most == 1;
+        return haveNumbers;
+    }
+
+    /// False where groups come to a box that is not a number.
+    bool Descend() {
+        m_found = 0;
+        b2GrowableStack<Visit, 64> waiting;
+        waiting.Push(Root());
+        while (waiting.GetCount() > 0) {
+            // Down one branch, which is the second child's where there are two; the others wait.
+            Visit visit = waiting.Pop();
+            while (visit.begin < visit.end && !m_nodes.nodes[visit.node].IsLeaf()) {
+                const Visit first = Divide(&visit);
+                if (first.begin < first.end)
+                    waiting.Push(first);
+            }
+            if (visit.begin == visit.end)
+                continue;
+            Take(visit);
+        }
+        return m_single || m_numbers;
+    }
+
+    Visit Root() {
+        const Box box = BoxOf(m_nodes.nodes[m_nodes.root].aabb);
+        m_numbers = HasNumbers(box);
+        Visit visit = {m_nodes.root, 0, 0};
+        m_room.lists.Reserve(m_groupCount);
+        for (uint32_t i = 0; i < m_groupCount; ++i) {
+            m_room.lists[visit.end] = i;
+            visit.end += Overlap(m_room.groups[i].box, box) ? 1 : 0;
+        }
+        return visit;
+    }
+
+    /// Goes on to the second child, whose list comes behind the node's. Returns the first child, whose list
+    /// takes the node's place.
+    Visit Divide(Visit *visit) {
+        const b2TreeNode &node = m_nodes.nodes[visit->node];
+        const Box box1 = BoxOf(m_nodes.nodes[node.child1].aabb),
+                  box2 = BoxOf(m_nodes.nodes[node.child2].aabb);
+        m_numbers = m_numbers && HasNumbers(box1) && HasNumbers(box2);
+        const uint32_t begin = visit->begin, end = visit->end;
+        m_room.lists.Reserve(2 * end - begin);
+        uint32_t *const lists = m_room.lists.Data();
+        uint32_t end1 = begin, end2 = end;
+        for (uint32_t i = begin; i < end; ++i) {
+            const uint32_t group = lists[i];
+            const Box box = m_room.groups[group].box;
+            lists[end1] = group;
+            end1 += Overlap(box, box1) ? 1 : 0;
+            lists[end2] = group;
+            end2 += Overlap(box, box2) ? 1 : 0;
+        }
+        *visit = {node.child2, end, end2};
+        return {node.child1, begin, end1};
+    }
+
+    void Take(const Visit &leaf) {
+        const b2TreeNode &node = m_nodes.nodes[leaf.node];
+        const b2Body *const body = BodyOf(node.userData);
+        const Box box = BoxOf(node.aabb);
+        for (uint32_t i = leaf.begin; i < leaf.end; ++i) {
+            const DescentRoom::Group &group = m_room.groups[m_room.lists[i]];
+            if (group.passedOver == body)
+                continue;
+            m_room.found.Reserve(m_found + (group.end - group.begin));
+            for (uint32_t j = group.begin; j < group.end; ++j)
+                if (Overlap(m_room.proxies[j].box, box) &&
+                    Reports(m_room.proxies[j].id, leaf.node, node.moved)) {
+                    m_room.found[m_found++] = {j, leaf.node};
+                    ++m_room.proxies[j].end;
+                }
+        }
+    }
+
+    /// Proxy by proxy, as they were moved.
+    void Report() {
+        uint32_t sum = 0;
+        for (uint32_t i = 0; i < m_proxyCount; ++i) {
+            const uint32_t found = m_room.proxies[i].end;
+            m_room.proxies[i].end = sum; // its beginning, which moves on to its end
+            sum += found;
+        }
+        m_room.leaves.Reserve(m_found);
+        for (uint32_t i = 0; i < m_found; ++i)
+            m_room.leaves[m_room.proxies[m_room.found[i].proxy].end++] = m_room.found[i].leaf;
+        for (uint32_t i = 0, next = 0; i < m_proxyCount; ++i)
+            for (; next < m_room.proxies[i].end; ++next)
+                m_keep(m_room.proxies[i].id, m_room.leaves[next]);
+    }
 
     const b2DynamicTree &m_tree;
     TreeNodes m_nodes;
     bool m_ownPairs;
+    DescentRoom &m_room;
     const Keep &m_keep;
+    uint32_t m_proxyCount = 0, m_groupCount = 0, m_found = 0;
+    bool m_single = false;  ///< each group is one proxy
+    bool m_numbers = false; ///< all boxes that groups came to
 };
-
-/// How many of the moves from the first on are of its body; those that were taken back count as such.
-inline int32 CountTogether(const b2DynamicTree &tree, const int32 *moves, int32 count) {
-    const b2Body *body = BodyOf(tree.GetUserData(moves[0]));
-    int32 together = 1;
-    while (together < count && (moves[together] == b2BroadPhase::e_nullProxy ||
-                                BodyOf(tree.GetUserData(moves[together])) == body))
-        ++together;
-    return together;
-}
-
-template <typename Keep> void PairDescent<Keep>::Run(const int32 *moves, int32 count) const {
-    for (int32 i = 0; i < count;) {
-        if (moves[i] == b2BroadPhase::e_nullProxy) {
-            ++i;
-            continue;
-        }
-        const int32 together = CountTogether(m_tree, moves + i, count - i);
-        if (together == 1 || !FindTogether(moves + i, together)) {
-            for (int32 j = i; j < i + together; ++j) {
-                if (moves[j] == b2BroadPhase::e_nullProxy)
-                    continue;
-                OneProxy<Keep> one = {PassedOver(BodyOf(m_tree.GetUserData(moves[j]))), moves[j], m_keep};
-                Descend(m_nodes, BoxOf(m_tree.GetFatAABB(moves[j])), &one);
-            }
-        }
-        i += together;
-    }
-}
-
-/// False, and nothing kept, where the proxies are to descend one by one.
-template <typename Keep> bool PairDescent<Keep>::FindTogether(const int32 *moves, int32 count) const {
-    Box around = BoxOf(m_tree.GetFatAABB(moves[0]));
-    for (int32 i = 0; i < count; ++i) {
-        if (moves[i] == b2BroadPhase::e_nullProxy)
-            continue;
-        const Box box = BoxOf(m_tree.GetFatAABB(moves[i]));
-        if (!HasNumbers(box))
-            return false;
-        around = Around(around, box);
-    }
-    ManyProxies many(PassedOver(BodyOf(m_tree.GetUserData(moves[0]))), count);
-    if (!Descend(m_nodes, around, &many))
-        return false;
-    for (int32 i = 0; i < count; ++i) {
-        if (moves[i] == b2BroadPhase::e_nullProxy)
-            continue;
-        const Box box = BoxOf(m_tree.GetFatAABB(moves[i]));
-        for (int32 j = 0; j < many.count; ++j) {
-            const ManyProxies::Leaf &leaf = many.leaves[j];
-            if (Overlap(BoxOf(leaf.box), box) && Reports(moves[i], leaf.proxy, leaf.moved))
-                m_keep(moves[i], leaf.proxy);
-        }
-    }
-    return true;
-}
 
 } // namespace bmr::tree
 
