@@ -32,7 +32,9 @@ const char *NameOf(BodyKind kind) {
     return "circle";
 }
 
-AnySizePolygon::AnySizePolygon(BodyKind kind, const Outline &outline) : m_pieces(MakePieces(kind, outline)) {}
+AnySizePolygon::AnySizePolygon(BodyKind kind, const Outline &outline) {
+    m_pieces = MakePieces(kind, outline);
+}
 
 AnySizePolygon::AnySizePolygon(const PolygonChoice &choice, float radius, float phase) {
     if (choice.bodies == BodyKind::Circle)
@@ -41,9 +43,28 @@ AnySizePolygon::AnySizePolygon(const PolygonChoice &choice, float radius, float 
         m_pieces = MakePieces(choice.bodies, RegularOutline(choice.vertices, radius, phase));
 }
 
-void AnySizePolygon::AddTo(Stage &stage, b2Body *body, const b2FixtureDef &def) const {
+void ManyFixtures::AddTo(Stage &stage, b2Body *body, const b2FixtureDef &def) const {
     for (const std::unique_ptr<b2Shape> &piece : m_pieces)
         stage.AddFixture(body, def, *piece);
+}
+
+Concave StarShaped(const Outline &outline) {
+    Concave concave{outline, {}, {}};
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        concave.triangles.push_back({b2Vec2(0.0f, 0.0f), outline[i], outline[(i + 1) % outline.size()]});
+    return concave;
+}
+
+OutlinedBody::OutlinedBody(BodyKind kind, const Concave &concave, float tolerance) {
+    if (kind == BodyKind::One) {
+        m_pieces = MakeOutlinePieces(concave, tolerance);
+        return;
+    }
+    for (const Outline &triangle : concave.triangles) {
+        auto shape = std::make_unique<b2PolygonShape>();
+        shape->Set(triangle.data(), 3);
+        m_pieces.push_back(std::move(shape));
+    }
 }
 
 } // namespace testbed

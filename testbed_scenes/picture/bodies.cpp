@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "picture/bodies.h"
+#include "picture/parts.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "picture/style.h"
 
 namespace testbed {
 namespace {

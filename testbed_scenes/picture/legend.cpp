@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "picture/legend.h"
+#include "picture/parts.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
-
-#include "picture/bodies.h"
-#include "picture/proofs.h"
-#include "picture/style.h"
 
 namespace testbed {
 namespace {

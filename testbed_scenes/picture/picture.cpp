@@ -7,11 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "picture/bodies.h"
-#include "picture/labels.h"
-#include "picture/legend.h"
-#include "picture/proofs.h"
-#include "picture/style.h"
+#include "picture/parts.h"
 #include "picture/world_view.h"
 
 namespace testbed {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "picture/proofs.h"
+#include "picture/parts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <utility>
-
-#include "picture/style.h"
 
 namespace testbed {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outlined.h"
+#include "any_size.h"
 #include "scene.h"
 
 namespace testbed {

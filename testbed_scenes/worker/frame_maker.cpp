@@ -7,7 +7,6 @@
 #include <box2d/b2_distance.h>
 
 #include "any_size.h"
-#include "outlined.h"
 #include "stage.h"
 
 namespace testbed {

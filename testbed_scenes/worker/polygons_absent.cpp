@@ -2,7 +2,6 @@
 #include <stdexcept>
 
 #include "any_size.h"
-#include "outlined.h"
 
 namespace testbed {
 

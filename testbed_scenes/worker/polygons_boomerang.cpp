@@ -4,7 +4,6 @@
 #include <boomerang/box2d.h>
 
 #include "any_size.h"
-#include "outlined.h"
 
 namespace testbed {
 

@@ -6,7 +6,6 @@
 #include <boomerang/box2d.h>
 
 #include "any_size.h"
-#include "outlined.h"
 #include "program.h"
 #include "tell/event.h"
 

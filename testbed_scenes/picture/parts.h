@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TESTBED_PICTURE_PARTS_H
+#define BOOMERANG_TESTBED_PICTURE_PARTS_H
+
+#include <array>
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drawing/canvas.h"
+#include "picture/picture.h"
+#include "picture/world_view.h"
+
+/// @file
+/// What a picture of a world is put together of. `unit` is one point of a picture 1200 wide.
+
+namespace testbed {
+
+// --- Colours of a world's picture. Widths and sizes are in points of a picture 1200 wide.
+
+namespace style {
+
+// Those of Box2D's testbed (b2World::DebugDraw and the testbed's own draw.cpp).
+constexpr Colour kBackground = {0.15, 0.15, 0.16};
+constexpr Colour kStrip = {0.1, 0.1, 0.11};
+constexpr Colour kDynamic = {0.9, 0.7, 0.7};
+constexpr Colour kSleeping = {0.6, 0.6, 0.6};
+constexpr Colour kKinematic = {0.5, 0.5, 0.9};
+constexpr Colour kStatic = {0.5, 0.9, 0.5};
+constexpr Colour kDisabled = {0.5, 0.5, 0.3};
+constexpr Colour kJoint = {0.5, 0.8, 0.8};
+constexpr Colour kBox = {0.9, 0.3, 0.9};
+// Ours: what stands out against those.
+constexpr Colour kSensor = {0.85, 0.8, 0.45};
+constexpr Colour kCertificate = {0.25, 0.85, 1.0};
+constexpr Colour kHull = {0.93, 0.93, 0.93};
+constexpr Colour kEnvelope = {0.72, 0.6, 1.0};
+constexpr Colour kHandedOver = {1.0, 0.6, 0.15};
+constexpr Colour kEvent = {0.78, 1.0, 0.3};
+constexpr Colour kContact = {1.0, 0.35, 0.3};
+constexpr Colour kTrail = {0.95, 0.8, 0.45};
+constexpr Colour kText = {0.9, 0.9, 0.9};
+constexpr Colour kFaintText = {0.68, 0.68, 0.7};
+
+constexpr double kFillOpacity = 0.42;
+constexpr double kTextSize = 13.0, kSmallText = 12.0;
+
+} // namespace style
+
+/// Slack as colour, logarithmic, the same in all pictures so that they compare: less than twice Box2D's slop
+/// is about to touch, more than the largest bodies' size is far away.
+constexpr double kLeastSlack = 0.01, kMostSlack = 10.0;
+/// Bright yellow for little, blue for much: told apart by brightness too, whatever one's sight.
+Colour ColourOfSlack(double slack);
+/// "0.124 m"; of a kinetic world, whose lengths have no unit, "0.124".
+std::string LengthText(double length, bool kinetic);
+
+// --- What is in a world whether or not anything is proved of it.
+
+/// "dynamic", "sleeping", "kinematic", "static", "sensor" or "disabled", and its colour.
+std::string StateOf(const shown::Body &body, const shown::Fixture &fixture);
+Colour ColourOfState(const std::string &state);
+
+/// All bodies, those that stand still first. Those that `isDim` are fainter.
+void DrawBodies(Canvas &canvas, const WorldView &world, double unit, const std::function<bool(int)> &isDim);
+void DrawJoints(Canvas &canvas, const WorldView &world, double unit);
+/// Lines through the places of each body, older ones fainter. A step longer than `longest` (a periodic box
+/// has taken the body to its other side) is left out.
+void DrawTrails(Canvas &canvas, const std::map<int, std::deque<bmr_vec2>> &trails, double longest,
+                double unit);
+/// The boxes of the broad phase.
+void DrawBoxes(Canvas &canvas, const WorldView &world, double unit);
+/// Where what goes out on one side comes in on the other.
+void DrawPeriodicBox(Canvas &canvas, const Rectangle &box, double unit);
+/// Points of contact, and the normal, longer for a larger impulse.
+void DrawContacts(Canvas &canvas, const WorldView &world, double unit);
+
+/// Short texts beside points of a page, none over another or over the edge of its area. The canvas shows the
+/// page itself (Canvas::ClearPanel).
+class Labels {
+public:
+    Labels(Canvas &canvas, const Rectangle &area, double unit)
+        : m_canvas(canvas), m_area(area), m_unit(unit) {}
+
+    /// Keeps labels away from here.
+    void Block(bmr_vec2 at, double radius);
+    /// Writes a number in a disc (none if it is 0) and a text near a point, with a line to the point where
+    /// there is no room close by; nothing where there is no room at all.
+    void Place(bmr_vec2 at, int number, const std::string &text, const Colour &colour);
+    /// Writes a text around a point, if it fits there and not elsewhere.
+    void PlaceAt(bmr_vec2 at, const std::string &text, double size, const Colour &colour);
+
+private:
+    bool IsFree(const Rectangle &box) const;
+    void Write(const Rectangle &box, int number, const std::string &text, const Colour &colour);
+
+    Canvas &m_canvas;
+    const Rectangle m_area;
+    const double m_unit;
+    std::vector<Rectangle> m_taken;
+};
+
+/// A number in a disc, as labels and lists show it; `radius` on the page.
+void DrawNumber(Canvas &canvas, bmr_vec2 at, double radius, int number, const Colour &colour);
+
+/// Where a body's number stands in a picture.
+/// The middle, on the page, of what `area` shows of a body's polygons and circles; where that is not in one
+/// of them, the middle of the largest. Nothing where `area` shows less than a number needs. `unit` is one
+/// point of a picture 1200 wide. Cost: linear in the body's vertices.
+std::optional<bmr_vec2> MiddleOfVisible(const Canvas &canvas, const WorldView &world, const Rectangle &area,
+                                        double unit, int body);
+
+/// Where the way from a point inside of `area` to another leaves it, `margin` before its border; the other
+/// point, if that is inside.
+bmr_vec2 WhereItLeaves(const Rectangle &area, double margin, bmr_vec2 from, bmr_vec2 to);
+
+// --- Why pairs are known to be apart.
+
+/// A pair that is explained by itself: its number in the picture, and where that is to stand (on the page).
+struct Explained {
+    int number = 0;
+    const shown::Pair *pair = nullptr;
+    /// The least slack of its proofs; nullptr where nothing proves it apart.
+    const shown::Proof *proof = nullptr;
+    bmr_vec2 place = {0.0, 0.0};
+    std::array<bmr_vec2, 2> ends = {}; ///< of the gap, on the page: a's and b's
+};
+
+/// The proof that bounds a pair's slack; nullptr if one of its contacts has none, or with stock.
+const shown::Proof *WeakestProof(const shown::Pair &pair);
+
+/// The pairs of the bodies in focus.
+struct Explanation {
+    /// Those that do not touch (two bodies' own in any case), in the region, the closest first, up to a
+    /// number.
+    std::vector<Explained> pairs;
+    std::vector<const shown::Pair *> touching; ///< the others that touch
+    std::vector<const shown::Pair *> alone;    ///< apart, but not of two polygons: Box2D's alone
+    int rest = 0;                              ///< how many more there are, or are not in the region
+};
+Explanation Explain(const WorldView &world, const PictureOptions &options, const Rectangle &region, int most);
+
+/// "all of body 7 lies beyond an edge of body 12": why, in a line.
+std::string ReasonOf(const Explained &explained);
+
+/// Hulls and envelopes that proofs of pairs (of the bodies in focus, if any) use, each once.
+void DrawOutlines(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
+/// Every proof as a short stroke across its gap, with its edge; with bodies in focus those of pairs that
+/// touch elsewhere.
+void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
+/// In full: the line with its edge and the vertex opposite, the direction, or the disks. Sets place and ends.
+void DrawExplained(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit,
+                   Explained *explained);
+/// A diamond at each pair that needed a manifold; a dashed stroke first, where it does not touch.
+void DrawHandedOver(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
+/// A ring at each pair to whose certificate something happened in the step.
+void DrawEvents(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
+/// What that was, by its name in the paper, and how often.
+std::map<std::string, std::size_t> EventsInFocus(const WorldView &world, const PictureOptions &options);
+
+/// Is the pair one of those that the bodies in focus are about? All are, without any.
+bool IsInFocus(const PictureOptions &options, const shown::Pair &pair);
+
+/// What is in a picture, with a sample of each: rows of entries below it.
+class Legend {
+public:
+    /// Lays the entries out in rows of this width (of the page). One of a series explains what the whole
+    /// series holds, without counts. A kinetic world has words of its own.
+    Legend(Canvas &canvas, const WorldView &world, const PictureOptions &options, std::string title,
+           double width, double unit);
+
+    double Height() const;
+    /// Its upper left corner at `top`, on the page.
+    void Draw(bmr_vec2 top) const;
+
+private:
+    struct Entry {
+        std::string text;
+        double sample; ///< width that the sample takes
+        /// Draws the sample in a box of the sample's width whose left end's middle this is.
+        std::function<void(bmr_vec2 left)> draw;
+        double left = 0.0;
+        int row = 0;
+    };
+    void AddBodies();
+    void AddProofs();
+    void AddScale();
+    void AddOthers();
+    void Add(const std::string &text, double sample, std::function<void(bmr_vec2)> draw);
+    void AddLine(const std::string &text, const Pen &pen);
+    void LayOut(double width);
+
+    Canvas &m_canvas;
+    const PictureOptions &m_options;
+    Contents m_contents;
+    const bool m_kinetic;
+    const double m_unit;
+    const std::string m_title;
+    std::vector<Entry> m_entries;
+    int m_rows = 1;
+};
+
+/// How long something is in the world: a bar of a round length in the lower left corner of the area. What it
+/// takes of the page.
+Rectangle DrawScaleBar(Canvas &canvas, const Rectangle &area, double pagePerWorld, double unit, bool kinetic);
+
+} // namespace testbed
+
+#endif
