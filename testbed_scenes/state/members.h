@@ -22,11 +22,7 @@ struct ContactMembers : b2Contact {
         return Flags(contact) &
                static_cast<uint32>(e_touchingFlag | e_enabledFlag | e_filterFlag | e_bulletHitFlag);
     }
-    static int32 ToiCount(const b2Contact &contact) { return contact.*&ContactMembers::m_toiCount; }
-    /// Left uninitialised by Box2D until e_toiFlag is set.
-    static float Toi(const b2Contact &contact) { return contact.*&ContactMembers::m_toi; }
     static const b2Contact *Previous(const b2Contact &contact) { return contact.*&ContactMembers::m_prev; }
-    static bool HasToi(const b2Contact &contact) { return (Flags(contact) & e_toiFlag) != 0; }
 };
 
 namespace body_members {

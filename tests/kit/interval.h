@@ -48,13 +48,6 @@ inline Interval operator/(Interval a, Interval b) {
 inline Interval Abs(Interval a) {
     return {a.low > 0.0 ? a.low : a.high < 0.0 ? -a.high : 0.0, a.Largest()};
 }
-inline Interval Root(Interval a) {
-    return {a.low > 0.0 ? Down(std::sqrt(a.low)) : 0.0, Up(std::sqrt(a.high))};
-}
-inline Interval Hypot(Interval a, Interval b) {
-    const Interval x = Abs(a), y = Abs(b);
-    return Root(x * x + y * y);
-}
 inline Interval Union(Interval a, Interval b) {
     return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }

@@ -73,11 +73,6 @@ static inline double fuzz_raw_double(fuzz_bytes *bytes) {
     fuzz_take(bytes, &value, sizeof value);
     return value;
 }
-static inline float fuzz_raw_float(fuzz_bytes *bytes) {
-    float value;
-    fuzz_take(bytes, &value, sizeof value);
-    return value;
-}
 /// Numbers on the edges of what is allowed, and beyond.
 static inline double fuzz_special(fuzz_bytes *bytes) {
     static const double numbers[] = {0.0,     -0.0,    1.0,      -1.0,     0.5,       1e9,
