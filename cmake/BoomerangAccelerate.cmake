@@ -6,7 +6,7 @@
 #   boomerang_accelerate(box2d)
 #
 # <target> is the library or program that compiles b2_world.cpp. Of its sources those that define what hooks stand in front of
-# are compiled through plugin/reach/renamed, which gives these functions other names; the sources themselves stay as they are.
+# are compiled through plugin/renamed, which gives these functions other names; the sources themselves stay as they are.
 # Core, the glue and the hooks are compiled besides, with flags of their own, and become part of the target. Who links it finds
 # <boomerang/box2d.h>, and <boomerang/contact_recorder.h>, whose library is inside. The plugin is at work from the first
 # b2World::Step on; BOOMERANG=off in the environment, or bmr::Install with other options before that, says otherwise.
@@ -133,7 +133,7 @@ function(_boomerang_wrap_source target renaming name_out wrapper_out)
   endif()
   _boomerang_check_source(${target} "${path}" "${signs}")
   set(wrapper "${CMAKE_CURRENT_BINARY_DIR}/boomerang_${target}/${name}")
-  set(renamed "${BOOMERANG_ACCELERATE_SOURCE}/plugin/reach/renamed/${name}")
+  set(renamed "${BOOMERANG_ACCELERATE_SOURCE}/plugin/renamed/${name}")
   file(CONFIGURE OUTPUT "${wrapper}" @ONLY CONTENT [[
 #define BMR_BOX2D_SOURCE "@path@"
 #define BMR_BOX2D_ISLAND "@dynamics@/b2_island.h"
@@ -191,7 +191,7 @@ function(boomerang_accelerate)
   endif()
 
   set(root "${BOOMERANG_ACCELERATE_SOURCE}")
-  set(renamed "${root}/plugin/reach/renamed")
+  set(renamed "${root}/plugin/renamed")
   get_filename_component(dynamics "${path}" DIRECTORY)
   _boomerang_read_hooks(renamed_files)
   foreach(renaming IN LISTS renamed_files)

@@ -116,12 +116,10 @@ endif()
 # The sources that boomerang_accelerate compiles with a project's Box2D.
 set(boomerang_source_dir ${CMAKE_INSTALL_DATADIR}/boomerang/source)
 foreach(folder core/include core/geometry core/hierarchy core/certificate core/pair core/kds core/budget core/exact32 core/convex32 core/outline
-    box2d_glue plugin/hooks plugin/include plugin/reach/renamed)
+    box2d_glue plugin/hooks plugin/include plugin/renamed)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${boomerang_source_dir}/${folder} COMPONENT development
     FILES_MATCHING PATTERN "*.c" PATTERN "*.cpp" PATTERN "*.h")
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/plugin/start.h DESTINATION ${boomerang_source_dir}/plugin COMPONENT development)
-install(FILES ${PROJECT_SOURCE_DIR}/plugin/reach/stock.h DESTINATION ${boomerang_source_dir}/plugin/reach COMPONENT development)
 
 list(JOIN boomerang_components "|" boomerang_components_alternatives)
 list(JOIN boomerang_components ", " boomerang_components_listed)

@@ -10,7 +10,7 @@
 
 /// @file
 /// Things for which C++17 has no words, in those of GNU's compilers (and clang) and of Microsoft's. The glue
-/// and the plugin use no other extension; plugin/reach/interposed has what only ELF has.
+/// and the plugin use no other extension; plugin/interposed has what only ELF has.
 
 #if defined(__GNUC__)
 #    define BMR_NOINLINE __attribute__((noinline))

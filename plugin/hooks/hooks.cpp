@@ -11,16 +11,17 @@
 #include <box2d/b2_world.h>
 
 #include "base/rounding_mode.h"
+#include "boomerang/box2d_glue.h"
 #include "contacts/solid_contact.h"
+#include "hooks/start.h"
+#include "hooks/stock.h"
 #include "passes/collide.h"
 #include "passes/contact_access.h"
 #include "passes/find_pairs.h"
 #include "passes/step.h"
 #include "proofs/convex_distance.h"
-#include "reach/stock.h"
 #include "shapes/convex_draw.h"
 #include "shapes/convex_geometry.h"
-#include "start.h"
 #include "start/current_step.h"
 #include "start/settings.h"
 #include "tell/exit_line.h"
@@ -173,6 +174,37 @@ void b2World::DestroyBody(b2Body *body) {
 void hooks::NoteWorldEnds(b2World *world) {
     DropLedger(&world->GetContactManager());
 }
+
+#if !defined(BMR_RENAMED)
+// b2World::~b2World, by its mangled names: a destructor that C++ would let us define ends the members, too,
+// which Box2D's own is to do.
+namespace bmr::hooks {
+
+namespace {
+
+Real<void(b2World *)> realEndWorld("_ZN7b2WorldD1Ev");
+Real<void(b2World *)> realEndBaseWorld("_ZN7b2WorldD2Ev");
+
+} // namespace
+
+BMR_BOX2D_API void EndWorld(b2World *world) asm("_ZN7b2WorldD1Ev");
+BMR_BOX2D_API void EndBaseWorld(b2World *world) asm("_ZN7b2WorldD2Ev");
+
+void EndWorld(b2World *world) {
+    NoteWorldEnds(world);
+    realEndWorld(world);
+}
+
+void EndBaseWorld(b2World *world) {
+    NoteWorldEnds(world);
+    realEndBaseWorld(world);
+}
+
+} // namespace bmr::hooks
+
+BMR_FOR_LOADERS("_ZN7b2WorldD1Ev");
+BMR_FOR_LOADERS("_ZN7b2WorldD2Ev");
+#endif
 
 // What flags contacts for filtering: these are due. (SetFilterData's own call of Refilter does not reach its
 // hook where Box2D's compiler binds it within its object file, as clang does, or where it is linked with

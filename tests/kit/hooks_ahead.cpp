@@ -2,7 +2,7 @@
 // What the hooks ask of the library that they are in, where they are in a test's own program: it starts when
 // the test calls bmr::Install, and there is one Box2D.
 #include "boomerang/box2d.h"
-#include "start.h"
+#include "hooks/start.h"
 
 namespace bmr {
 

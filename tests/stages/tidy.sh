@@ -28,7 +28,7 @@ check_tidy() {
     export BMR_BUILD_DIR long
     export -f tidy_one
     # The long ones first, so that no job waits for another's last file; C++ takes longest.
-    (cd "$root" && sources 'core/**.c' 'box2d_glue/**.cpp' 'plugin/*.cpp' ':!plugin/reach/renamed/*' | xargs wc -l |
+    (cd "$root" && sources 'core/**.c' 'box2d_glue/**.cpp' 'plugin/*.cpp' ':!plugin/renamed/*' | xargs wc -l |
         awk '$2 != "total" { print $1 * ($2 ~ /cpp$/ ? 20 : 1), $2 }' | sort -rn | cut -d ' ' -f 2 |
         # shellcheck disable=SC2016
         xargs -P "$jobs" -I '{}' bash -c 'tidy_one "$1"' _ '{}' 2>"$log")

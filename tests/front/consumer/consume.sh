@@ -84,7 +84,7 @@ install)
     # What boomerang_accelerate compiles is there, file by file.
     if [ "$WITH_BOX2D" = ON ]; then
         for folder in core/include core/geometry core/hierarchy core/certificate core/pair core/kds core/budget core/exact32 \
-            core/convex32 core/outline box2d_glue plugin/hooks plugin/include plugin/reach/renamed plugin/reach/stock.h plugin/start.h; do
+            core/convex32 core/outline box2d_glue plugin/hooks plugin/include plugin/renamed; do
             diff -r -x '*.txt' -x '*.md' "$SOURCE/$folder" "$prefix/share/boomerang/source/$folder" >"$WORK/sources.txt" ||
                 fail "the installed sources are others: $(head -n 1 "$WORK/sources.txt")"
         done

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reach/interposed/real.h"
+#include "interposed/real.h"
 
 #include <climits>
 #include <cstdint>

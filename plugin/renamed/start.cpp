@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The plugin starts at the first b2World::Step, unless the program has said by then what is to be, or
 // BOOMERANG is off.
-#include "start.h"
+#include "hooks/start.h"
 
 #include "boomerang/box2d.h"
-#include "reach/stock.h"
+#include "hooks/stock.h"
 #include "start/box2d_asserts.h"
 #include "start/install.h"
 #include "start/reach.h"

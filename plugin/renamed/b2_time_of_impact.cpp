@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See names.h.
+// See b2_world.cpp.
 #define b2TimeOfImpact BmrStockTimeOfImpact
 #include BMR_BOX2D_SOURCE
 #undef b2TimeOfImpact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See names.h. (SetFilterData calls Refilter. Both have hooks, which do the same afterwards.)
+// See b2_world.cpp. (SetFilterData calls Refilter. Both have hooks, which do the same afterwards.)
 #include "box2d/b2_body.h"
 
 class b2BroadPhase;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_REACH_STOCK_H
-#define BOOMERANG_REACH_STOCK_H
+#ifndef BOOMERANG_HOOKS_STOCK_H
+#define BOOMERANG_HOOKS_STOCK_H
 
 #include <box2d/b2_math.h>
 
 #include "start/hook_list.h"
 
 #if !defined(BMR_RENAMED)
-#    include "reach/interposed/real.h"
+#    include "interposed/real.h"
 #endif
 
 class b2BroadPhase;

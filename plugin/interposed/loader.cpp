@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "reach/interposed/library_check.h"
+#include "interposed/loader.h"
 
 #include <atomic>
 #include <climits>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <initializer_list>
 #include <string_view>
 
@@ -13,8 +15,7 @@
 #include <link.h>
 
 #include "boomerang/box2d.h"
-#include "reach/interposed/loaded_file.h"
-#include "reach/interposed/real.h"
+#include "interposed/real.h"
 #include "start/box2d_asserts.h"
 #include "start/hook_list.h"
 
@@ -24,6 +25,65 @@ namespace bmr {
 extern const char boundStep[] asm("_ZN7b2World4StepEfii") __attribute__((weak));
 
 namespace {
+
+struct Sought {
+    uintptr_t address;
+    const void *file;
+};
+
+int LookInto(dl_phdr_info *object, size_t, void *context) {
+    auto *sought = static_cast<Sought *>(context);
+    for (int i = 0; i < object->dlpi_phnum; ++i) {
+        const ElfW(Phdr) &segment = object->dlpi_phdr[i];
+        // (Below the segment the difference is a huge number.)
+        if (segment.p_type == PT_LOAD &&
+            sought->address - (object->dlpi_addr + segment.p_vaddr) < segment.p_memsz) {
+            sought->file = object->dlpi_phdr;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/// The program or the shared library that this address belongs to, as an address that is no other one's; null
+/// of addresses that belong to none. Equal for what comes from one file. (dladdr would look for the nearest
+/// of all the file's symbols, too, which takes a hundred times as long.)
+const void *FileOf(const void *address) {
+    Sought sought = {reinterpret_cast<uintptr_t>(address), nullptr};
+    if (address != nullptr)
+        dl_iterate_phdr(LookInto, &sought);
+    return sought.file;
+}
+
+struct SoughtWords {
+    const void *file;
+    std::string_view words;
+    bool found;
+};
+
+int ReadThrough(dl_phdr_info *object, size_t, void *context) {
+    auto *sought = static_cast<SoughtWords *>(context);
+    if (object->dlpi_phdr != sought->file)
+        return 0;
+    for (int i = 0; i < object->dlpi_phnum && !sought->found; ++i) {
+        const ElfW(Phdr) &segment = object->dlpi_phdr[i];
+        if (segment.p_type != PT_LOAD || (segment.p_flags & (PF_R | PF_W)) != PF_R)
+            continue;
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): where the loader has put it
+        const auto *bytes = reinterpret_cast<const char *>(object->dlpi_addr + segment.p_vaddr);
+        sought->found =
+            std::string_view(bytes, segment.p_filesz).find(sought->words) != std::string_view::npos;
+    }
+    return 1;
+}
+
+/// Do the read-only parts of that file have these words in them, as it was loaded?
+bool FileHolds(const void *address, const char *words) {
+    SoughtWords sought = {FileOf(address), words, false};
+    if (sought.file != nullptr)
+        dl_iterate_phdr(ReadThrough, &sought);
+    return sought.found;
+}
 
 enum class Kind { kFunction, kLeaf, kData };
 
@@ -43,7 +103,7 @@ constexpr Symbol kSymbols[] = {
 #define BMR_LEAF(name) {#name, Kind::kLeaf, 0},
 #define BMR_DATA(name, bytes) {#name, Kind::kData, bytes},
 #define BMR_SIGN(name) BMR_FUNCTION(name)
-#include "reach/interposed/box2d_symbols.inc"
+#include "interposed/box2d_symbols.inc"
 #define BMR_HOOK_SYMBOL(name, function, symbol, heard, result, parameters, renamed) BMR_LEAF(symbol)
     BMR_HOOKS(BMR_HOOK_SYMBOL)
 #undef BMR_FUNCTION
@@ -101,6 +161,56 @@ char words[2 * PATH_MAX + 200];
 const char *NameBoth(const char *why, const char *box2d) {
     std::snprintf(words, sizeof words, "%s. Name both: LD_PRELOAD=\"%s %s\"", why, OurPath(), box2d);
     return words;
+}
+
+constexpr std::string_view kStem = "libboomerang_box2d.so";
+
+std::string_view FileName(std::string_view path) {
+    const size_t slash = path.rfind('/');
+    return slash == std::string_view::npos ? path : path.substr(slash + 1);
+}
+
+bool IsOurs(std::string_view path) {
+    return FileName(path).substr(0, kStem.size()) == kStem;
+}
+
+/// LD_PRELOAD: paths with blanks or colons between.
+bool EnvironmentNamesUs() {
+    const char *preload = std::getenv("LD_PRELOAD");
+    std::string_view rest = preload != nullptr ? preload : "";
+    while (!rest.empty()) {
+        const size_t end = rest.find_first_of(" :");
+        if (IsOurs(rest.substr(0, end)))
+            return true;
+        rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+    }
+    return false;
+}
+
+/// ELF's headers hold addresses as numbers.
+template <typename T> const T *At(ElfW(Addr) address) {
+    return reinterpret_cast<const T *>(address); // NOLINT(performance-no-int-to-ptr)
+}
+
+/// Does this loaded object ask for us (DT_NEEDED)?
+int AsksForUs(dl_phdr_info *object, size_t, void *) {
+    const ElfW(Dyn) *dynamic = nullptr;
+    for (int i = 0; i < object->dlpi_phnum; ++i)
+        if (object->dlpi_phdr[i].p_type == PT_DYNAMIC)
+            dynamic = At<ElfW(Dyn)>(object->dlpi_addr + object->dlpi_phdr[i].p_vaddr);
+    if (dynamic == nullptr)
+        return 0;
+    ElfW(Addr) strings = 0;
+    for (const ElfW(Dyn) *entry = dynamic; entry->d_tag != DT_NULL; ++entry)
+        if (entry->d_tag == DT_STRTAB)
+            strings = entry->d_un.d_ptr;
+    // Most loaders have made it an address already; some leave the offset.
+    if (strings < object->dlpi_addr)
+        strings += object->dlpi_addr;
+    for (const ElfW(Dyn) *entry = dynamic; entry->d_tag != DT_NULL; ++entry)
+        if (entry->d_tag == DT_NEEDED && IsOurs(At<char>(strings + entry->d_un.d_val)))
+            return 1;
+    return 0;
 }
 
 size_t SizeOf(const void *address) {
@@ -207,6 +317,14 @@ const char *WhyLibraryIsUnknown() {
     // The text of an assertion of its solver is there only where the solver is compiled.
     SetBox2DAsserts(FileHolds(Find(kStep), "a.x >= 0.0f && a.y >= 0.0f"));
     return nullptr;
+}
+
+bool IsPreloaded() {
+    if (EnvironmentNamesUs())
+        return true;
+    // No library asks for one that the program opened itself (dlopen) either, but such a one does not come
+    // first in search order.
+    return StepsComeByHere() && dl_iterate_phdr(AsksForUs, nullptr) == 0;
 }
 
 } // namespace bmr

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "start.h"
+#include "hooks/start.h"
 
 #include <cstdio>
 #include <cstdlib>
 
 #include "boomerang/box2d.h"
-#include "reach/interposed/library_check.h"
+#include "interposed/loader.h"
 #include "start/environment.h"
 #include "start/install.h"
 #include "start/reach.h"
 #include "start/recognise.h"
 #include "start/this_process.h"
 #include "tell/exit_line.h"
+
+static_assert(sizeof(bmr_pair) == 64, "a pair is one cache line"); // as its header promises
 
 namespace bmr {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See names.h.
+// See b2_world.cpp.
 #include "box2d/b2_body.h"
 #include "box2d/b2_broad_phase.h"
 #include "box2d/b2_contact.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_REACH_INTERPOSED_REAL_H
-#define BOOMERANG_REACH_INTERPOSED_REAL_H
+#ifndef BOOMERANG_INTERPOSED_REAL_H
+#define BOOMERANG_INTERPOSED_REAL_H
 
 #include <atomic>
 #include <cstdint>

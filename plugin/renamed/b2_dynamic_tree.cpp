@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See names.h.
+// See b2_world.cpp.
 #define CreateProxy BmrStockCreateProxy
 #define DestroyProxy BmrStockDestroyProxy
 #define MoveProxy BmrStockMoveProxy

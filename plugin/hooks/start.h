@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_PLUGIN_START_H
-#define BOOMERANG_PLUGIN_START_H
+#ifndef BOOMERANG_HOOKS_START_H
+#define BOOMERANG_HOOKS_START_H
 
 #include <atomic>
 
@@ -10,8 +10,8 @@
 /// @file
 /// How the plugin starts where the program does not call bmr::Install: at the program's first b2World::Step.
 /// As a shared library it does so where it was preloaded, or where BOOMERANG is on or verify; compiled with
-/// Box2D's sources it always does, unless BOOMERANG is off. (What is here is defined in reach/interposed and
-/// in reach/renamed.)
+/// Box2D's sources it always does, unless BOOMERANG is off. (What is here is defined in interposed and in
+/// renamed.)
 
 namespace bmr {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See names.h. b2DistanceProxy::Set of vertices goes with Set of a shape: other files find it below.
+// See b2_world.cpp. b2DistanceProxy::Set of vertices goes with Set of a shape: other files find it below.
 #include "box2d/b2_chain_shape.h"
 #include "box2d/b2_circle_shape.h"
 #include "box2d/b2_edge_shape.h"
