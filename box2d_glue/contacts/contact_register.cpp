@@ -9,7 +9,7 @@
 #include "contacts/convex_contact.h"
 #include "contacts/edge_contact.h"
 #include "contacts/polygon_contact.h"
-#include "start/process_lock.h"
+#include "start/process.h"
 #include "start/recognise.h"
 
 namespace bmr {

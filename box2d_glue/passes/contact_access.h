@@ -11,8 +11,8 @@
 
 #include "base/private_members.h"
 #include "start/current_step.h"
+#include "start/process.h"
 #include "start/recognise.h"
-#include "start/trusted_listener.h"
 #include "world/ledger.h"
 #include "world/ledgers.h"
 

@@ -7,7 +7,7 @@
 
 #include "boomerang/convex_shape.h"
 #include "shapes/convex_geometry.h"
-#include "start/process_lock.h"
+#include "start/process.h"
 
 namespace bmr {
 

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "start/install.h"
 
+#include <atomic>
 #include <cstdio>
 
 #include "base/rounding_mode.h"
 #include "boomerang/box2d_glue.h"
 #include "contacts/contact_register.h"
-#include "start/environment.h"
-#include "start/process_lock.h"
-#include "start/reach.h"
+#include "start/process.h"
 #include "start/recognise.h"
-#include "start/rounding_probe.h"
 #include "start/settings.h"
-#include "start/this_process.h"
 #include "tell/exit_line.h"
 #include "tell/verify.h"
 
@@ -20,6 +17,7 @@ namespace bmr {
 
 namespace {
 
+std::atomic<const char *> theWay{"not ahead of Box2D"}, notAhead{nullptr};
 bool called = false;
 bool installed = false;
 const char *refusedWhy = nullptr;
@@ -37,6 +35,15 @@ void Announce(const Options &options) {
 }
 
 } // namespace
+
+void SetWay(const char *way, const char *whyNotAhead) {
+    theWay.store(way, std::memory_order_relaxed);
+    notAhead.store(whyNotAhead, std::memory_order_relaxed);
+}
+
+const char *TheWay() {
+    return theWay.load(std::memory_order_relaxed);
+}
 
 bool Refuse(const char *why) {
     const HoldsProcessLock lock(ProcessLock::Starting);
@@ -60,7 +67,7 @@ bool Install(const Options &given) {
         return false;
     if (static_cast<unsigned>(options.pairsBy) > BMR_STRUCTURE_COUNT)
         return Refuse("Options::pairsBy is none of the structures of boomerang/pair.h");
-    if (const char *why = WhyNotAhead())
+    if (const char *why = notAhead.load(std::memory_order_relaxed))
         return Refuse(why);
     if (const char *why = WhyThisBox2DIsUnknown())
         return Refuse(why);

@@ -16,6 +16,11 @@ const char *WhyRefused();
 /// Was Install called, with any result? Then the library does not start by itself.
 bool InstallWasCalled();
 
+/// How Box2D's calls reach the hooks, in a few words; and why they do not, if that is known: then Install
+/// refuses. Not copied.
+void SetWay(const char *way, const char *whyNotAhead);
+const char *TheWay();
+
 } // namespace bmr
 
 #endif

@@ -35,6 +35,24 @@ const b2ContactFilter *FilterOfNewWorlds();
 /// library, which may meet any libbox2d, looks for the symbols. Set before Install.
 void SetLibraryCheck(const char *(*check)());
 
+/// Does the b2CollidePolygons of this process compute separations with the same bits as core/exact32? It does
+/// in builds for plain x86-64; a Box2D compiled with fused multiply-add (ARM, -march=native) rounds
+/// otherwise. Found out by asking it: pairs of boxes whose radii are set
+/// to exactly the separation that exact32 computes, and to one float less.
+bool Box2DRoundsAsExact32();
+
+/// Does its b2CollideEdgeAndPolygon give the bits of bmr_exact32_collide_edge? Found out on links and
+/// polygons of all kinds: a game may compile a Box2D whose rules for edges it has changed.
+bool Box2DCollidesEdgesAsExact32();
+
+/// Names a hook that Box2D does not call, in a few words; nullptr where it calls them all. A small world of
+/// this process's Box2D is stepped once, and each hook notes that it was called. Where one is not, Box2D is
+/// inside the program, or was built so that it calls its own functions without the loader. Before Install
+/// makes its settings, on a Box2D that is known; about 0.1 ms. The answer lives until the next call.
+const char *WhichHookIsNotCalled();
+/// Is this thread stepping that small world?
+bool IsInTrialStep();
+
 } // namespace bmr
 
 #endif

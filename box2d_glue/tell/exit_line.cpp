@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "boomerang/box2d_glue.h"
-#include "start/environment.h"
-#include "start/reach.h"
+#include "start/install.h"
+#include "start/process.h"
 #include "start/recognise.h"
-#include "start/this_process.h"
+#include "start/settings.h"
 #include "tell/event.h"
 
 namespace bmr {

@@ -3,7 +3,6 @@
 #include <iterator>
 
 #include "start/install.h"
-#include "start/reach.h"
 #include "start/recognise.h"
 #include "start/settings.h"
 #include "tell/event.h"

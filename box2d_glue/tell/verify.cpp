@@ -17,8 +17,8 @@
 #include <box2d/b2_polygon_shape.h>
 
 #include "contacts/convex_contact.h"
+#include "start/process.h"
 #include "start/settings.h"
-#include "start/this_process.h"
 #include "tell/exit_line.h"
 #include "tree/pair_descent.h"
 

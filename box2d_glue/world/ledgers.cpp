@@ -5,7 +5,7 @@
 
 #include "base/compiler.h"
 #include "start/current_step.h"
-#include "start/process_lock.h"
+#include "start/process.h"
 #include "world/ledger.h"
 #include "world/world_sign.h"
 

@@ -70,7 +70,7 @@ BMR_COLD void StepTimed(b2World *world, float timeStep, int32 velocityIterations
 
 void b2World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
     StartAtFirstStep();
-    if (StepsAreTimed() && !IsFindingReach())
+    if (StepsAreTimed() && !IsInTrialStep())
         StepTimed(this, timeStep, velocityIterations, positionIterations);
     else
         StepAsAsked(this, timeStep, velocityIterations, positionIterations);

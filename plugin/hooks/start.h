@@ -4,8 +4,8 @@
 
 #include <atomic>
 
-#include "start/process_lock.h"
-#include "start/reach.h"
+#include "start/process.h"
+#include "start/recognise.h"
 
 /// @file
 /// How the plugin starts where the program does not call bmr::Install: at the program's first b2World::Step.
@@ -22,7 +22,7 @@ void StartNow();
 
 /// Of StartNow: calls `start()` once, also if other threads come meanwhile.
 template <typename Start> void StartOnce(const Start &start) {
-    if (IsFindingReach()) // Install does, on this thread
+    if (IsInTrialStep()) // Install does, on this thread
         return;
     const HoldsProcessLock lock(ProcessLock::Starting);
     if (!startsByItself.load(std::memory_order_relaxed))

@@ -6,11 +6,10 @@
 
 #include "boomerang/box2d.h"
 #include "interposed/loader.h"
-#include "start/environment.h"
 #include "start/install.h"
-#include "start/reach.h"
+#include "start/process.h"
 #include "start/recognise.h"
-#include "start/this_process.h"
+#include "start/settings.h"
 #include "tell/exit_line.h"
 
 static_assert(sizeof(bmr_pair) == 64, "a pair is one cache line"); // as its header promises
@@ -84,7 +83,7 @@ __attribute__((constructor)) void Loaded() {
     if (StepsComeByHere())
         internal::startsByItself = true;
     else if (asked && !ProgramStepsFirst())
-        Refuse(WhyNotAhead());
+        Refuse(WhyNoStepComesBy());
 }
 
 } // namespace

@@ -7,7 +7,6 @@
 #include "hooks/stock.h"
 #include "start/box2d_asserts.h"
 #include "start/install.h"
-#include "start/reach.h"
 #include "tell/exit_line.h"
 
 namespace bmr {

@@ -9,7 +9,7 @@
 #include "box2d_shapes.h"
 #include "contacts/edge_contact.h"
 #include "shapes/shapes32.h"
-#include "start/rounding_probe.h"
+#include "start/recognise.h"
 
 using namespace as_stock;
 

@@ -8,10 +8,9 @@
 #include <sys/wait.h>
 
 #include "as_stock.h"
-#include "start/environment.h"
+#include "start/process.h"
 #include "start/recognise.h"
 #include "start/settings.h"
-#include "start/this_process.h"
 
 using namespace as_stock;
 

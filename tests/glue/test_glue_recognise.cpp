@@ -9,7 +9,6 @@
 #include "as_stock.h"
 #include "cases.h"
 #include "start/recognise.h"
-#include "start/rounding_probe.h"
 
 namespace {
 
