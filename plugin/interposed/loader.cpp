@@ -85,12 +85,9 @@ bool FileHolds(const void *address, const char *words) {
     return sought.found;
 }
 
-enum class Kind { kFunction, kLeaf, kData };
-
 struct Symbol {
     const char *name;
-    Kind kind;
-    size_t size; ///< of data
+    size_t size; ///< of data; 0 of a function
 };
 
 /// Of a table of so many virtual functions: before them the Itanium ABI has an offset and a type.
@@ -99,15 +96,13 @@ constexpr size_t TableSize(size_t functions) {
 }
 
 constexpr Symbol kSymbols[] = {
-#define BMR_FUNCTION(name) {#name, Kind::kFunction, 0},
-#define BMR_LEAF(name) {#name, Kind::kLeaf, 0},
-#define BMR_DATA(name, bytes) {#name, Kind::kData, bytes},
+#define BMR_FUNCTION(name) {#name, 0},
+#define BMR_DATA(name, bytes) {#name, bytes},
 #define BMR_SIGN(name) BMR_FUNCTION(name)
 #include "interposed/box2d_symbols.inc"
-#define BMR_HOOK_SYMBOL(name, function, symbol, heard, result, parameters, renamed) BMR_LEAF(symbol)
+#define BMR_HOOK_SYMBOL(name, function, symbol, heard, result, parameters, renamed) BMR_FUNCTION(symbol)
     BMR_HOOKS(BMR_HOOK_SYMBOL)
 #undef BMR_FUNCTION
-#undef BMR_LEAF
 #undef BMR_DATA
 #undef BMR_SIGN
 };
@@ -290,25 +285,13 @@ const char *WhyLibraryIsUnknown() {
     for (const char *const memory : {"_Z15b2Alloc_Defaulti", "_Z14b2Free_DefaultPv"})
         if (IsInProgram(Find(memory)) && !isBox2DInside)
             return kOwnMemory;
-    const void *library = nullptr;
     for (const Symbol &symbol : kSymbols) {
         const void *found = Find(symbol.name);
-        const char *what = nullptr;
-        if (found == nullptr) {
-            if (IsInProgram(Find(kStep)))
-                return kInside; // the linker shows as much of it as libraries ask for
-            what = "lacks";
-        } else if (symbol.kind == Kind::kFunction) {
-            // (Data may have been copied into the program: any file will do for that.)
-            const void *file = FileOf(found);
-            if (library != nullptr && file != library)
-                what = "is two libraries that share";
-            library = file;
-        } else if (symbol.kind == Kind::kData && SizeOf(found) != symbol.size) {
-            what = "has another size of";
-        }
-        if (what != nullptr) {
-            std::snprintf(words, sizeof words, "the Box2D of this process %s %s", what, symbol.name);
+        if (found == nullptr && IsInProgram(Find(kStep)))
+            return kInside; // the linker shows as much of it as libraries ask for
+        if (found == nullptr || (symbol.size > 0 && SizeOf(found) != symbol.size)) {
+            std::snprintf(words, sizeof words, "the Box2D of this process %s %s",
+                          found == nullptr ? "lacks" : "has another size of", symbol.name);
             return words;
         }
     }

@@ -26,9 +26,8 @@ const char *WhyNoStepComesBy();
 const char *WhyModuleIsLeftAlone();
 
 /// Why the libbox2d that was loaded must be left alone, or nullptr: the program calls another one, a symbol
-/// of box2d_symbols.inc is not there, or not all are in one and the same library (some are the program's own,
-/// or another version's), or data has another size, or it was loaded when this library's own references had
-/// been settled. Calls nothing of Box2D's. The answer lives until the next call.
+/// of box2d_symbols.inc or of a hook is not there, or data has another size, or it was loaded when this
+/// library's own references had been settled. Calls nothing of Box2D's. The answer lives until the next call.
 const char *WhyLibraryIsUnknown();
 
 /// Is this library preloaded? It is if LD_PRELOAD names it, or if it was loaded with the program although

@@ -9,16 +9,14 @@
 #define BMR_SHARED_LIBRARY
 
 #define BMR_FUNCTION(name) __asm__(".weak " #name);
-#define BMR_LEAF(name) __asm__(".weak " #name);
 #define BMR_DATA(name, bytes) __asm__(".weak " #name);
 #define BMR_SIGN(name)
 #include "interposed/box2d_symbols.inc"
 #include "start/hook_list.h"
-#define BMR_WEAK_HOOK(name, function, symbol, heard, result, parameters, renamed) BMR_LEAF(symbol)
+#define BMR_WEAK_HOOK(name, function, symbol, heard, result, parameters, renamed) BMR_FUNCTION(symbol)
 BMR_HOOKS(BMR_WEAK_HOOK)
 #undef BMR_WEAK_HOOK
 #undef BMR_FUNCTION
-#undef BMR_LEAF
 #undef BMR_DATA
 #undef BMR_SIGN
 
