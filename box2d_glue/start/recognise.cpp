@@ -245,6 +245,8 @@ const char *WhyContentsAreUnknown(b2World &world, b2PolygonShape *box) {
         fixtureDef.shape = box;
         fixture = world.CreateBody(&def)->CreateFixture(&fixtureDef);
     }
+    if (!IsOneBlock(fixtures[0]->GetBody(), fixtures[1]->GetBody()))
+        return "b2Body has not the size that it has in 2.4.1";
     if (!IsOneBlock(static_cast<const b2PolygonShape *>(fixtures[0]->GetShape()),
                     static_cast<const b2PolygonShape *>(fixtures[1]->GetShape())))
         return "b2PolygonShape has not the size that it has in 2.4.1";
@@ -475,7 +477,7 @@ constexpr HookInTrial kHooks[] = {
 
 thread_local bool inTrialStep = false;
 std::atomic<uint32_t> noted{0};
-char sentence[120];
+char uncalledHook[120];
 
 /// A box that falls on another one, and overlaps a sensor.
 void Fill(b2World *world) {
@@ -528,11 +530,11 @@ const char *WhichHookIsNotCalled() {
     uint32_t hook = 0;
     for (const HookInTrial &listed : kHooks) {
         if (listed.isHeard && (noted.load(std::memory_order_relaxed) >> hook & 1) == 0) {
-            std::snprintf(sentence, sizeof sentence,
+            std::snprintf(uncalledHook, sizeof uncalledHook,
                           "Box2D does not call Boomerang's %s. Link boomerang::box2d ahead of it, or use "
                           "boomerang_accelerate()",
                           listed.name);
-            return sentence;
+            return uncalledHook;
         }
         ++hook;
     }

@@ -3,6 +3,7 @@
 // the test calls bmr::Install, and there is one Box2D.
 #include "boomerang/box2d.h"
 #include "hooks/start.h"
+#include "start/install.h"
 
 namespace bmr {
 
