@@ -59,8 +59,6 @@ BMR_NAME_MEMBER(NewContacts, b2World, m_newContacts, bool b2World::*);
 BMR_NAME_MEMBER(Locked, b2World, m_locked, bool b2World::*);
 BMR_NAME_MEMBER(InverseStep, b2World, m_inv_dt0, float b2World::*);
 BMR_NAME_MEMBER(StepComplete, b2World, m_stepComplete, bool b2World::*);
-BMR_NAME_MEMBER(SolveWorld, b2World, Solve, void (b2World::*)(const b2TimeStep &));
-BMR_NAME_MEMBER(SolveImpacts, b2World, SolveTOI, void (b2World::*)(const b2TimeStep &));
 #undef BMR_NAME_MEMBER
 
 inline const b2Sweep &SweepOf(const b2Body &body) {
@@ -87,12 +85,6 @@ struct BodyInIsland {
 private:
     static constexpr uint16 kFlag = 0x0001;
 };
-
-/// Is neither body of the contact dynamic?
-inline bool IsWithoutDynamic(const b2Contact &contact) {
-    return contact.GetFixtureA()->GetBody()->GetType() != b2_dynamicBody &&
-           contact.GetFixtureB()->GetBody()->GetType() != b2_dynamicBody;
-}
 
 /// Names protected members of b2Contact's, and flags of its.
 struct ContactAccess : b2Contact {

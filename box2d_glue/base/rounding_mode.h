@@ -51,12 +51,16 @@ inline bool TrapsAreSet() {
 
 #endif
 
-/// Does this thread's step round to nearest from its begin to its end? It does where it began so and no code
-/// of the game runs in it, which could change the mode. False outside of steps, and in programs without the
-/// shared library.
+/// Does this thread's step round to nearest? It is asked as the step begins, and behind each call of the
+/// game's code. False outside of steps, and in programs without the shared library.
 inline bool &StepIsToNearest() {
     static thread_local bool nearest = false;
     return nearest;
+}
+
+/// Behind a call of the game's code in such a step.
+inline void AskRoundingAgain() {
+    StepIsToNearest() = StepIsToNearest() && CurrentRounding() == kToNearest;
 }
 
 /// (Reading the mode takes as long as a third of what is done for a fixture.)

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <optional>
 
-#include <box2d/b2_world.h>
+#include <box2d/b2_contact_manager.h>
 
 #include "base/compiler.h"
 #include "base/rounding_mode.h"
@@ -32,17 +32,53 @@ SolidContact *SensorThatLives(b2Contact *contact) {
     return ours != nullptr && ours->IsOfPolygons() ? ours : nullptr;
 }
 
-/// nullptr where it has no contacts.
-const b2World *WorldOf(const b2ContactManager &manager) {
-    const b2Contact *const contact = manager.m_contactList;
-    return contact == nullptr ? nullptr : contact->GetFixtureA()->GetBody()->GetWorld();
+/// Contacts of a step by Box2D's list.
+struct ListCounts {
+    uint32_t awake = 0;    ///< one of the two bodies is
+    uint32_t touching = 0; ///< of these
+};
+
+/// Brings one contact up to date; false where it is to be destroyed.
+inline bool Persists(b2ContactManager *manager, b2Contact *contact, ListCounts *counts) {
+    b2Fixture *fixtureA = contact->GetFixtureA(), *fixtureB = contact->GetFixtureB();
+    if (SolidContact::WantsFiltering(*contact)) {
+        if (!PassesFilters(manager, fixtureA, fixtureB))
+            return false;
+        SolidContact::FilteringIsDone(contact);
+    }
+    if (!IsActive(fixtureA->GetBody()) && !IsActive(fixtureB->GetBody()))
+        return true;
+    if (!BoxesOverlap(manager, *contact))
+        return false;
+    b2ContactListener *const listener = manager->m_contactListener;
+    TellListener(listener, contact, UpdateContact(contact), [] {});
+    ++counts->awake;
+    counts->touching += contact->IsTouching() ? 1 : 0;
+    return true;
+}
+
+/// b2ContactManager::Collide by Box2D's list, contact by contact, from this one on.
+ListCounts CollideByList(b2ContactManager *manager, b2Contact *contact) {
+    ListCounts counts;
+    while (contact != nullptr) {
+        ContactNumber::Prefetch(contact->GetNext());
+        if (Persists(manager, contact, &counts)) {
+            contact = contact->GetNext();
+        } else {
+            b2Contact *parted = contact;
+            contact = contact->GetNext();
+            manager->Destroy(parted);
+            AskRoundingAgain();
+        }
+    }
+    return counts;
 }
 
 /// A pass over the ledger, newest pair first.
 class CollidePass {
 public:
     CollidePass(Ledger *ledger, b2ContactManager *manager)
-        : m_ledger(ledger), m_manager(manager), m_world(WorldOf(*manager)), m_pass(ledger) {}
+        : m_ledger(ledger), m_manager(manager), m_pass(ledger) {}
 
     void Run();
 
@@ -57,21 +93,21 @@ private:
     void Update(b2Contact *contact);
     void Prove(uint32_t i, b2Contact *contact);
     void End();
+    void FinishByList();
 
     void BeforeGame();
     void AfterGame();
 
     Ledger *m_ledger;
     b2ContactManager *m_manager;
-    const b2World *m_world;
     Ledger::Pass m_pass;
-    uint32_t m_passNumber = 0; ///< another one at the ledger: the game stepped this world
-    uint32_t m_looks = 0;      ///< in this pass
-    uint32_t m_at = 0;   ///< records from here on are passed; the one that is visited is the last of them
-    uint64_t m_seen = 0; ///< the look whose results the pass uses, as long as no code of the game ran
+    uint32_t m_looks = 0; ///< in this pass
+    uint32_t m_at = 0;    ///< records from here on are passed; the one that is visited is the last of them
+    uint64_t m_seen = 0;  ///< the look whose results the pass uses, as long as no code of the game ran
     uint64_t m_due =
         0; ///< of the word of 64 records that the pass is in, those that are due and still to come
-    uint32_t m_word = 0; ///< its number; words from it on were looked at
+    uint32_t m_word = 0;         ///< its number; words from it on were looked at
+    b2Contact *m_next = nullptr; ///< if the world has left its table: the contact that comes next in the list
 };
 
 // The game's code: a listener or a filter.
@@ -82,18 +118,15 @@ void CollidePass::BeforeGame() {
     m_ledger->Owed().Pause(m_at + 1);
 }
 
-/// The game was called: what was read before may have changed. (A step that a listener makes unlocks the
-/// world when it is done.)
+/// The game was called: what was read before may have changed.
 void CollidePass::AfterGame() {
     GameRan() = true;
-    const bool stepped = m_ledger->PassNumber() != m_passNumber;
-    const bool locked = !stepped && m_world->IsLocked();
-    m_ledger->Distrust(locked);
-    if (stepped)
-        m_ledger->Owed().Begin(m_at); // and this pass goes on
-    else
-        m_ledger->Owed().GoOn(m_at + 1);
-    m_passNumber = m_ledger->PassNumber();
+    if (!m_ledger->WasLeft() && !m_ledger->IsWhole())
+        LeaveTable(m_manager);
+    if (m_ledger->WasLeft())
+        return;
+    m_ledger->Distrust();
+    m_ledger->Owed().GoOn(m_at + 1);
 }
 
 /// b2Contact::Update, by the listener of this moment.
@@ -139,27 +172,28 @@ bool CollidePass::PassesFilter(uint32_t i, b2Contact *contact) {
     if (ofGame)
         BeforeGame();
     const bool passes = PassesFilters(m_manager, contact->GetFixtureA(), contact->GetFixtureB());
+    if (passes)
+        SolidContact::FilteringIsDone(contact);
     if (ofGame)
         AfterGame();
-    if (passes) {
-        SolidContact::FilteringIsDone(contact);
+    if (passes && !m_ledger->WasLeft())
         m_ledger->ClearBit(i, kToBeFiltered);
-    }
     return passes;
 }
 
 void CollidePass::Destroy(uint32_t i, b2Contact *contact) {
-    if (contact->IsTouching() && IsOfGame(m_manager->m_contactListener)) {
-        BeforeGame();
+    if (m_ledger->WasLeft() || (contact->IsTouching() && IsOfGame(m_manager->m_contactListener))) {
+        if (!m_ledger->WasLeft())
+            BeforeGame();
+        m_next = contact->GetNext();
         m_manager->Destroy(contact);
-        m_ledger->Remove(i, contact); // if Destroy did not reach our hook
+        AskRoundingAgain();
         AfterGame();
         return;
     }
     b2Body *const bodies[2] = {contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody()};
     const bool slept[2] = {!IsActive(bodies[0]), !IsActive(bodies[1])};
     m_manager->Destroy(contact);
-    m_ledger->Remove(i, contact);
     for (int side = 0; side < 2; ++side) // the end of a contact that touched wakes its bodies
         if (slept[side] && IsActive(bodies[side]))
             Wake(bodies[side], i);
@@ -184,8 +218,10 @@ void CollidePass::Look(uint32_t i, b2Contact *contact) {
     SolidContact *const sensor = SensorThatLives(contact);
     const bmr_vec2 before = sensor != nullptr ? sensor->GuessDirection() : bmr_vec2{0.0, 0.0};
     Update(contact);
-    if (m_ledger->Contact(i) != contact)
-        return; // the game ended it
+    if (m_ledger->WasLeft()) {
+        m_next = contact->GetNext();
+        return;
+    }
     if (sensor != nullptr)
         sensor->LiveAsSensor(before);
     for (const uint32_t row : {record.a, record.b})
@@ -202,7 +238,7 @@ void CollidePass::Prove(uint32_t i, b2Contact *contact) {
     m_ledger->LookAgain(i);
     m_ledger->SetTouches(i, contact->IsTouching());
     SolidContact *ours = SolidContact::AsOurs(contact);
-    const bool canProve = m_world->IsLocked() && ours != nullptr && ours->IsOfPolygons() &&
+    const bool canProve = ours != nullptr && ours->IsOfPolygons() &&
                           contact->GetManifold()->pointCount == 0 &&
                           !SolidContact::WantsFiltering(*contact) && contact->IsEnabled();
     if (canProve && !contact->IsTouching())
@@ -224,12 +260,12 @@ void CollidePass::Visit(uint32_t i) {
     // (A step by the list may have filtered it since it was flagged.)
     if (((m_ledger->Bits(i) & kToBeFiltered) != 0 || !hasLine) && SolidContact::WantsFiltering(*contact)) {
         const bool passes = PassesFilter(i, contact);
-        // The filter may have ended the contact. Box2D then reads freed memory; it goes on if both bodies
-        // rest.
-        if (m_ledger->Contact(i) != contact)
-            return;
         if (!passes) {
             Destroy(i, contact);
+            return;
+        }
+        if (m_ledger->WasLeft()) {
+            m_next = contact;
             return;
         }
         m_ledger->LookAgain(i);
@@ -256,15 +292,24 @@ void CollidePass::Run() {
     for (uint32_t word = 0; GetSettings().options.statistics && word <= m_ledger->Count() / 64; ++word)
         GetCounts().pairs.fetch_add(CountBits(m_ledger->WatchedOf(word)), std::memory_order_relaxed);
     m_ledger->Owed().Begin(m_ledger->Count());
-    m_passNumber = m_ledger->PassNumber();
     m_seen = m_ledger->CurrentLook();
     m_at = m_ledger->Count();
     m_word = m_at / 64 + 1;
     for (uint32_t i = Next(); i != Ledger::kNone; i = Next()) {
         m_at = i;
         Visit(i);
+        if (m_ledger->WasLeft())
+            return FinishByList();
     }
     End();
+}
+
+/// The world has left its table in the middle of the pass.
+void CollidePass::FinishByList() {
+    CollideByList(m_manager, m_next);
+    if (Ledger *const newer = FindLedger(m_manager)) // that a step inside this one has made
+        newer->Interrupt();
+    m_pass.Complete();
 }
 
 void CollidePass::End() {
@@ -275,53 +320,11 @@ void CollidePass::End() {
     m_ledger->Owed().EndPass(GameRan());
 }
 
-/// Contacts of a step by Box2D's list.
-struct ListCounts {
-    uint32_t awake = 0;    ///< one of the two bodies is
-    uint32_t touching = 0; ///< of these
-};
-
-/// Brings one contact up to date; false where it is to be destroyed.
-inline bool Persists(b2ContactManager *manager, b2Contact *contact, ListCounts *counts) {
-    b2Fixture *fixtureA = contact->GetFixtureA(), *fixtureB = contact->GetFixtureB();
-    if (SolidContact::WantsFiltering(*contact)) {
-        if (!PassesFilters(manager, fixtureA, fixtureB))
-            return false;
-        SolidContact::FilteringIsDone(contact);
-    }
-    if (!IsActive(fixtureA->GetBody()) && !IsActive(fixtureB->GetBody()))
-        return true;
-    if (!BoxesOverlap(manager, *contact))
-        return false;
-    b2ContactListener *const listener = manager->m_contactListener;
-    TellListener(listener, contact, UpdateContact(contact), [] {});
-    ++counts->awake;
-    counts->touching += contact->IsTouching() ? 1 : 0;
-    return true;
-}
-
-/// b2ContactManager::Collide by Box2D's list, contact by contact.
-ListCounts CollideByList(b2ContactManager *manager) {
-    ListCounts counts;
-    b2Contact *contact = manager->m_contactList;
-    while (contact != nullptr) {
-        ContactNumber::Prefetch(contact->GetNext());
-        if (Persists(manager, contact, &counts)) {
-            contact = contact->GetNext();
-        } else {
-            b2Contact *parted = contact;
-            contact = contact->GetNext();
-            manager->Destroy(parted);
-        }
-    }
-    return counts;
-}
-
 } // namespace
 
 void Collide(b2ContactManager *manager) {
-    Ledger *const ledger = RoundsToNearest() ? LedgerForStep(manager) : nullptr;
-    if (ledger != nullptr && !ledger->MayHaveUnlisted() && ledger->NextStepPays() && ledger->Follow()) {
+    Ledger *const ledger = LedgerForStep(manager);
+    if (ledger != nullptr && ledger->NextStepPays() && ledger->Follow()) {
         CollidePass(ledger, manager).Run();
         return;
     }
@@ -331,7 +334,7 @@ void Collide(b2ContactManager *manager) {
         passedOver->Interrupt();
     if (HasCodeOfGame(*manager))
         GameRan() = true;
-    const ListCounts counts = CollideByList(manager);
+    const ListCounts counts = CollideByList(manager, manager->m_contactList);
     if (StepsAreTimed())
         NotePairs(counts.awake, counts.touching);
     if (Ledger *passedOver = FindLedger(manager))

@@ -10,6 +10,7 @@
 #include <box2d/b2_world_callbacks.h>
 
 #include "base/private_members.h"
+#include "base/rounding_mode.h"
 #include "start/current_step.h"
 #include "start/process.h"
 #include "start/recognise.h"
@@ -81,9 +82,11 @@ inline bool HasOwnPostSolve(const b2ContactListener &listener) {
 /// Do bodies, joints and the game's filter let the two collide?
 inline bool PassesFilters(const b2ContactManager *manager, b2Fixture *fixtureA, b2Fixture *fixtureB) {
     const b2Body *bodyA = fixtureA->GetBody(), *bodyB = fixtureB->GetBody();
-    return (bodyB->*Named(ShouldCollide()))(bodyA) &&
-           (manager->m_contactFilter == nullptr ||
-            manager->m_contactFilter->ShouldCollide(fixtureA, fixtureB));
+    const bool passes =
+        (bodyB->*Named(ShouldCollide()))(bodyA) &&
+        (manager->m_contactFilter == nullptr || manager->m_contactFilter->ShouldCollide(fixtureA, fixtureB));
+    AskRoundingAgain();
+    return passes;
 }
 
 } // namespace bmr

@@ -11,30 +11,11 @@
 #include "tell/verify.h"
 #include "tree/box.h"
 
-namespace {
-
-/// Names the call below.
-struct NoProxy {};
-
-} // namespace
-
-/// Asks Box2D for a proxy that is none. If Box2D was compiled with its assertions, they end the program;
-/// else the call leaves nothing behind.
-template <> void b2BroadPhase::UpdatePairs(NoProxy *) {
-    const int32 count = m_pairCount;
-    m_queryProxyId = 0;
-    QueryCallback(e_nullProxy);
-    m_pairCount = count;
-}
-
 namespace bmr {
 
 bool BoxesOverlap(b2ContactManager *manager, const b2Contact &contact) {
     const int32 a = FixtureAccess::ProxyOf(contact.GetFixtureA(), contact.GetChildIndexA()),
                 b = FixtureAccess::ProxyOf(contact.GetFixtureB(), contact.GetChildIndexB());
-    // (A filter may put a body out of the world that then gets contacts all the same.)
-    if (BMR_RARELY(a == b2BroadPhase::e_nullProxy || b == b2BroadPhase::e_nullProxy))
-        manager->m_broadPhase.UpdatePairs(static_cast<NoProxy *>(nullptr));
     return tree::Overlap(tree::BoxOf(manager->m_broadPhase.GetFatAABB(a)),
                          tree::BoxOf(manager->m_broadPhase.GetFatAABB(b)));
 }

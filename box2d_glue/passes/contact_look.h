@@ -62,6 +62,7 @@ bool TellListener(b2ContactListener *listener, b2Contact *contact, const Contact
         before();
         listener->PreSolve(contact, &change.old);
     }
+    AskRoundingAgain();
     return isOfGame;
 }
 

@@ -83,9 +83,13 @@ public:
     void Report(const b2FixtureProxy &a, const b2FixtureProxy &b) {
         if ((m_ownPairs && a.fixture->GetBody() == b.fixture->GetBody()) || Exists(a, b))
             return;
-        if (IsOfGame(m_manager->m_contactFilter))
+        const bool ofGame = IsOfGame(m_manager->m_contactFilter);
+        if (ofGame)
             BeforeGame(m_manager);
-        if (!PassesFilters(m_manager, a.fixture, b.fixture))
+        const bool passes = PassesFilters(m_manager, a.fixture, b.fixture);
+        if (ofGame)
+            m_ledger = FollowedLedger(); // the world may have left the one before
+        if (!passes)
             return;
         b2Contact *contact = NewContact::Create(a, b, m_manager->m_allocator);
         if (contact == nullptr)
@@ -102,9 +106,7 @@ private:
     Ledger *FollowedLedger() const {
         Ledger *ledger =
             m_manager->m_contactCount >= WorthALedgerAnyway() ? MakeLedger(m_manager) : FindLedger(m_manager);
-        return ledger != nullptr && (ledger->IsWhole() || ledger->CatchUp()) && !ledger->MayHaveUnlisted()
-                   ? ledger
-                   : nullptr;
+        return ledger != nullptr && (ledger->IsWhole() || ledger->CatchUp()) ? ledger : nullptr;
     }
 
     bool Exists(const b2FixtureProxy &a, const b2FixtureProxy &b) const {

@@ -94,8 +94,15 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     return true;
 }
 
+/// The world may have left its table: its list is searched from here on.
+void ImpactPass::CheckTable() {
+    if (m_ledger != nullptr && (m_ledger->WasLeft() || !m_ledger->IsWhole()))
+        m_ledger = nullptr;
+}
+
 /// Ahead of the search for new contacts.
 void ImpactPass::AfterGame() {
+    CheckTable();
     if (m_wasGameCalled)
         m_stoppers.AfterGame();
 }
@@ -165,8 +172,7 @@ void ImpactPass::FindNewContacts() {
     }
     m_manager->FindNewContacts();
     m_marks.LookAgain();
-    if (m_ledger != nullptr && !m_ledger->IsWhole())
-        m_ledger = nullptr; // the world's list is searched from here on
+    CheckTable();
 }
 
 /// b2Contact::Update. Notes what it changes: who is awake, what is enabled.
@@ -175,14 +181,13 @@ void ImpactPass::Update(b2Contact *contact) {
     const bool wasAwakeA = a->IsAwake(), wasAwakeB = b->IsAwake();
     b2ContactListener *const listener = m_manager->m_contactListener;
     const ContactChange change = UpdateContact(contact);
-    Ledger *ledger = FindLedger(m_manager);
-    if (ledger != nullptr)
+    if (Ledger *const ledger = FindLedger(m_manager))
         ledger->Flag(contact, 0); // it is due in the next step, which reads whether it touches
     TellListener(listener, contact, change, [this] { BeforeGame(); });
     m_marks.LookAgain();
-    ledger = FindLedger(m_manager);
-    const uint32_t i = ledger != nullptr ? ledger->NumberOf(contact) : Ledger::kNone;
-    if (i == Ledger::kNone || m_ledger == nullptr)
+    CheckTable();
+    const uint32_t i = m_ledger != nullptr ? m_ledger->NumberOf(contact) : Ledger::kNone;
+    if (i == Ledger::kNone)
         return;
     m_ledger->Owed().NoteLookedAt(i);
     if (!m_ledger->GetMarks().known.Has(i))
@@ -220,9 +225,7 @@ void ImpactPass::AskPairsOf(const b2Body *body) {
 void ImpactPass::ReadWhatGameDid() {
     if (!m_wasGameCalled)
         return;
-    if (!m_ledger->IsWhole() || !m_ledger->GetMarks().areHere || m_ledger->MayLackDynamic() ||
-        !m_ledger->IsLookedAtIn(CurrentStep()))
-        m_ledger = nullptr;
+    CheckTable();
     if (m_ledger == nullptr)
         return;
     Marks &marks = m_ledger->GetMarks();

@@ -40,10 +40,7 @@ inline bool MayStop(b2Contact *contact) {
 
 /// Does it?
 inline bool MayImpact(b2Contact *contact) {
-    if (!MayStop(contact))
-        return false;
-    BMR_BOX2D_ASSERTS(!IsWithoutDynamic(*contact), "typeA == b2_dynamicBody || typeB == b2_dynamicBody");
-    return IsActive(BodyA(contact)) || IsActive(BodyB(contact));
+    return MayStop(contact) && (IsActive(BodyA(contact)) || IsActive(BodyB(contact)));
 }
 
 } // namespace
@@ -112,8 +109,7 @@ ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
 
 /// Does the ledger know all pairs, and what this step did to them?
 bool ImpactPass::MayUseHeap() const {
-    return m_ledger != nullptr && m_ledger->IsLookedAtIn(CurrentStep()) && m_ledger->IsWhole() &&
-           !m_ledger->MayLackDynamic() && RoundsToNearest();
+    return m_ledger != nullptr && m_ledger->IsLookedAtIn(CurrentStep()) && m_ledger->IsWhole();
 }
 
 void ImpactPass::Run() {

@@ -111,6 +111,7 @@ private:
     void Update(b2Contact *contact);
     void BeforeGame();
     void AfterGame();
+    void CheckTable();
     void Wake(b2Body *body);
     void AskPairsOf(const b2Body *body);
     void ReadWhatGameDid();

@@ -306,6 +306,7 @@ void IslandSolver::Report(const Island &island) {
         b2ContactImpulse impulse;
         m_solver.GetImpulse(i, &impulse);
         m_listener->PostSolve(m_contacts[i], &impulse);
+        AskRoundingAgain();
     }
 }
 

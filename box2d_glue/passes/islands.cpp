@@ -2,7 +2,6 @@
 #include "passes/islands.h"
 
 #include <chrono>
-#include <exception>
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
@@ -27,19 +26,6 @@ bool MayBeSeed(const b2Body *body) {
            body->GetType() != b2_staticBody;
 }
 
-/// An exception of PostSolve's leaves Box2D's loop over islands with a stack that is not freed, which its
-/// allocator asserts.
-class EndsWhole {
-public:
-    EndsWhole() = default;
-    ~EndsWhole() { BMR_BOX2D_ASSERTS(std::uncaught_exceptions() == m_exceptions, "p == entry->data"); }
-    EndsWhole(const EndsWhole &) = delete;
-    EndsWhole &operator=(const EndsWhole &) = delete;
-
-private:
-    int m_exceptions = std::uncaught_exceptions();
-};
-
 /// The number of the body's first link, with kLinked, until the body is in an island. Otherwise it is the
 /// place that the body had in its last island, which Box2D's gear reads.
 int32 &LinkOf(b2Body *body) {
@@ -60,6 +46,8 @@ IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
         m_listener = nullptr;
     if (m_ledger != nullptr && (!m_ledger->IsLookedAtIn(CurrentStep()) || !m_ledger->IsWhole()))
         m_ledger = nullptr;
+    if (m_ledger != nullptr)
+        m_pass.emplace(m_ledger);
 }
 
 void IslandPass::Run() {
@@ -67,17 +55,18 @@ void IslandPass::Run() {
     profile.solveInit = profile.solveVelocity = profile.solvePosition = 0.0f;
     ClearFlags();
     if (m_ledger != nullptr)
-        m_isLinked = m_mayLink && !m_ledger->MayHaveUnlisted() && Link();
+        m_isLinked = m_mayLink && Link();
     SolveIslands(&profile);
     const auto start = std::chrono::steady_clock::now();
     Synchronize();
     m_manager->FindNewContacts();
     profile.broadphase =
         std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (m_pass.has_value())
+        m_pass->Complete();
 }
 
 void IslandPass::SolveIslands(b2Profile *profile) {
-    const EndsWhole loop;
     m_solver->Begin(m_step, m_listener, m_mayLink && !IsOfGame(m_listener));
     for (b2Body *seed = FirstSeed(); seed != nullptr; seed = NextSeed(seed))
         if (MayBeSeed(seed))
@@ -266,6 +255,8 @@ void IslandPass::AfterGame() {
     m_tells = !stepped;
     if (!stepped)
         return;
+    if (m_ledger != nullptr && m_ledger->WasLeft())
+        m_ledger = nullptr;
     m_marks.LookAgain();
     for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext())
         PutPlaceBack(body); // there may be a gear by now

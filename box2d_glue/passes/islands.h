@@ -3,6 +3,7 @@
 #define BOOMERANG_GLUE_ISLANDS_H
 
 #include <cstdint>
+#include <optional>
 
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
@@ -51,6 +52,7 @@ private:
     IslandSolver *m_solver;
     b2ContactListener *m_listener; ///< its PostSolve is called, unless it is nullptr
     Ledger *m_ledger;              ///< nullptr: it does not know all pairs
+    std::optional<Ledger::Pass> m_pass;
     ContactMarks m_marks;
     IslandRoom &m_room;
     uint32_t m_stackCount = 0, m_linkCount = 0;

@@ -7,7 +7,6 @@
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
 #include "passes/collide.h"
-#include "passes/contact_access.h"
 #include "passes/impacts.h"
 #include "passes/island_solver.h"
 #include "passes/islands.h"
@@ -41,20 +40,14 @@ private:
     Clock::time_point m_last = m_first;
 };
 
-/// A solver for one pass. There is none if rounding is not to nearest, or if the thread's objects are gone.
-/// Then the pass is Box2D's.
+/// A solver for one pass.
 class TakenSolver {
 public:
-    TakenSolver(uint32_t bodies, uint32_t contacts, uint32_t joints) {
-        IslandSolvers *const solvers = RoundsToNearest() ? PerThread<IslandSolvers>() : nullptr;
-        m_solver = solvers != nullptr ? solvers->Take() : nullptr;
-        if (m_solver != nullptr)
-            m_solver->Reserve(bodies, contacts, joints);
+    TakenSolver(uint32_t bodies, uint32_t contacts, uint32_t joints)
+        : m_solver(PerThread<IslandSolvers>()->Take()) {
+        m_solver->Reserve(bodies, contacts, joints);
     }
-    ~TakenSolver() {
-        if (m_solver != nullptr)
-            IslandSolvers::GiveBack(m_solver);
-    }
+    ~TakenSolver() { IslandSolvers::GiveBack(m_solver); }
     TakenSolver(const TakenSolver &) = delete;
     TakenSolver &operator=(const TakenSolver &) = delete;
     IslandSolver *Get() const { return m_solver; }
@@ -62,6 +55,18 @@ public:
 private:
     IslandSolver *m_solver;
 };
+
+void Solve(b2World *world, const b2TimeStep &step) {
+    const TakenSolver solver(static_cast<uint32_t>(world->GetBodyCount()),
+                             static_cast<uint32_t>(world->GetContactCount()),
+                             static_cast<uint32_t>(world->GetJointCount()));
+    IslandPass(world, step, solver.Get()).Run();
+}
+
+void SolveTOI(b2World *world, const b2TimeStep &step) {
+    const TakenSolver solver(2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
+    ImpactPass(world, step, solver.Get()).Run();
+}
 
 void ClearForces(b2World *world) {
     const auto clear = [](b2Body *body) {
@@ -79,64 +84,15 @@ void ClearForces(b2World *world) {
         clear(body);
 }
 
-/// The pass, and true; or false, and nothing done, where the thread does not round to nearest.
-bool SolveHere(b2World *world, const b2TimeStep &step) {
-    const TakenSolver solver(static_cast<uint32_t>(world->GetBodyCount()),
-                             static_cast<uint32_t>(world->GetContactCount()),
-                             static_cast<uint32_t>(world->GetJointCount()));
-    if (solver.Get() == nullptr)
-        return false;
-    IslandPass(world, step, solver.Get()).Run();
-    return true;
-}
-
-bool SolveTOIHere(b2World *world, const b2TimeStep &step) {
-    const TakenSolver solver(2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
-    if (solver.Get() == nullptr)
-        return false;
-    ImpactPass(world, step, solver.Get()).Run();
-    return true;
-}
-
-void BeforeGameOf(b2World *world) {
-    const b2ContactManager &manager = world->GetContactManager();
-    if (HasCodeOfGame(manager))
-        BeforeGame(&manager);
-}
-
 } // namespace
 
-bool StepIsOurs() {
-    return PassesRun() && RoundsToNearest();
-}
-
-void Solve(b2World *world, const b2TimeStep &step, PassOfBox2D box2d) {
-    if (SolveHere(world, step))
-        return;
-    Ledger *const ledger = FindLedger(&world->GetContactManager());
-    if (ledger != nullptr)
-        ledger->GiveMarksBack();
-    BeforeGameOf(world);
-    box2d(world, step);
-    if (ledger == nullptr || !ledger->IsLookedAtIn(CurrentStep()))
-        return;
-    for (const b2Body *body = world->GetBodyList(); body != nullptr; body = body->GetNext())
-        if (BodyInIsland::Is(body) && !body->IsAwake())
-            ledger->Owed().EnableOfSleeper(body);
-}
-
-void SolveTOI(b2World *world, const b2TimeStep &step, PassOfBox2D box2d) {
-    Ledger *const ledger = FindLedger(&world->GetContactManager());
-    if (SolveTOIHere(world, step))
-        return;
-    if (ledger != nullptr) {
-        ledger->Owed().EnableDownTo(0);
-        ledger->GiveMarksBack();
-        ledger->GetBodies().NoteDisplaced();
-        ledger->Interrupt(); // and reads who touches in the next step
-    }
-    BeforeGameOf(world);
-    box2d(world, step);
+bool StepIsOurs(const b2World &world) {
+    const b2ContactManager &manager = world.GetContactManager();
+    const bool isOurs = RoundsToNearest() && PerThread<IslandSolvers>() != nullptr;
+    const Ledger *const ledger = FindLedger(&manager);
+    if (ledger != nullptr && (!isOurs || world.IsLocked() || ledger->IsInPass()))
+        LeaveTable(&manager);
+    return isOurs;
 }
 
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations) {
@@ -161,13 +117,11 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
     Collide(&manager);
     profile.collide = laps.Next();
     if (advances && world->*Named(StepComplete())) {
-        if (!SolveHere(world, step))
-            (world->*Named(SolveWorld()))(step);
+        Solve(world, step);
         profile.solve = laps.Next();
     }
     if (advances && world->GetContinuousPhysics()) {
-        if (!SolveTOIHere(world, step))
-            (world->*Named(SolveImpacts()))(step);
+        SolveTOI(world, step);
         profile.solveTOI = laps.Next();
     }
     if (advances)

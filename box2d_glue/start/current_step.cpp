@@ -21,13 +21,11 @@ uint64_t NextStep() {
     return ++last;
 }
 
-StepUnderWay::StepUnderWay(bool gameListens) {
+StepUnderWay::StepUnderWay() {
     ++stepsUnderWay;
     LatestStep() = CurrentStep() = NextStep();
     GameRan() = IsInner();
-    StepIsToNearest() = false;
-    // (The game's code made an inner one, and goes on behind it.)
-    StepIsToNearest() = !gameListens && !IsInner() && RoundsToNearest();
+    StepIsToNearest() = CurrentRounding() == kToNearest;
 }
 
 StepUnderWay::~StepUnderWay() {

@@ -42,8 +42,7 @@ uint64_t NextStep();
 /// not end first.
 class StepUnderWay {
 public:
-    /// `gameListens`: the world has a listener or a filter of the game's.
-    explicit StepUnderWay(bool gameListens);
+    StepUnderWay();
     ~StepUnderWay();
     StepUnderWay(const StepUnderWay &) = delete;
     StepUnderWay &operator=(const StepUnderWay &) = delete;

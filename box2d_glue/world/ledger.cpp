@@ -25,7 +25,6 @@ void Ledger::Reserve(uint32_t count) {
     m_touching.Reserve(count);
     m_stops.Reserve(count);
     m_owed.Reserve(count);
-    m_listed.Reserve(count);
     m_marks.Reserve(count);
     if (PairsAreHulls())
         m_hullPairs.Reserve(count);
@@ -33,18 +32,11 @@ void Ledger::Reserve(uint32_t count) {
 
 bool Ledger::Follow() {
     TrimEnd();
-    if (m_passes > 0) { // a step inside a pass: it may go on here as it is, or not at all
-        if (!CatchUp())
-            return false;
-    } else {
-        const uint32_t live = static_cast<uint32_t>(m_live);
-        if (m_count > 2 * live + kFewRecords)
-            Compact();
-        if (!CatchUp() && !Begin())
-            return false;
-    }
-    // (Also if the interrupted pass was inside the present one: each adds to the sums, and none of them asks
-    // all pairs.)
+    const uint32_t live = static_cast<uint32_t>(m_live);
+    if (m_count > 2 * live + kFewRecords)
+        Compact();
+    if (!CatchUp() && !Begin())
+        return false;
     if (m_interrupted || m_movers.AreSumsLost()) {
         DropAllProofs();
         for (uint32_t i = 0; i < m_count; ++i) // Box2D may have updated contacts that are not watched
@@ -90,8 +82,6 @@ void Ledger::Empty() {
     m_movers.Clear();
     m_proxyPairs.Empty();
     m_hullPairs.Clear();
-    m_withoutDynamic = false;
-    m_unlisted = 0;
     m_count = 0;
     m_live = m_watched = 0;
     m_awake.ClearAll();
@@ -105,11 +95,9 @@ void Ledger::Put(uint32_t i, b2Contact *contact) {
     record.b = m_movers.Acquire(contact->GetFixtureB(), m_manager->m_broadPhase, m_look);
     m_proxyPairs.Reserve(i + 1);
     m_proxyPairs.Add(i, *contact);
-    m_withoutDynamic = m_withoutDynamic || IsWithoutDynamic(*contact);
     ContactNumber::Write(contact, i);
     m_contacts[i] = contact;
-    m_bits[i] = m_endings > 0 ? kUnlisted : 0;
-    m_unlisted += m_endings > 0 ? 1 : 0;
+    m_bits[i] = 0;
     m_patience[i] = {};
     m_marks.Read(i, contact);
     ++m_count;
@@ -148,7 +136,6 @@ void Ledger::Take(uint32_t i) {
     m_movers.Release(m_records[i].a);
     m_movers.Release(m_records[i].b);
     m_contacts[i] = nullptr;
-    m_unlisted -= (m_bits[i] & kUnlisted) != 0 ? 1 : 0;
     --m_live;
     TrimEnd();
 }
@@ -185,25 +172,8 @@ void Ledger::NoteLostProxies(uint32_t number, const b2Contact &ending) {
                 continue;
             if (m_proxyPairs.IsKnown(i))
                 m_proxyPairs.Forget(i);
-            // A listener may step the world before its turn comes: Box2D asserts then that there are proxies.
-            for (const uint32_t row : {m_records[i].a, m_records[i].b})
-                m_movers.LoseProxy(row);
-            Flag(edge->contact, 0);
         }
     }
-}
-
-void Ledger::Resync() {
-    m_listed.ClearAll();
-    for (const b2Contact *contact = m_manager->m_contactList; contact != nullptr;
-         contact = contact->GetNext()) {
-        const uint32_t i = NumberOf(contact);
-        if (i != kNone)
-            m_listed.Set(i);
-    }
-    for (uint32_t i = 0; i < m_count; ++i)
-        if (m_contacts[i] != nullptr && !m_listed.Has(i))
-            Take(i);
 }
 
 void Ledger::Compact() {

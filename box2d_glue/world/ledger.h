@@ -46,8 +46,7 @@ public:
     /// asked once a step, ahead of Follow. A world whose pairs move too fast for a budget, or touch, is
     /// stepped by its list for a while, and tried again.
     bool NextStepPays();
-    /// A step of the world went by without a pass: every pair is due in the next one. If that was inside a
-    /// step that has one, it is not known which pairs touch in the rest of it.
+    /// A step of the world went by without a pass: every pair is due in the next one.
     void Interrupt() {
         m_owed.Begin(0);
         m_interrupted = true;
@@ -68,8 +67,6 @@ public:
         if (number != kNone && number < m_count && m_contacts[number] == ended)
             Take(number);
     }
-    /// Contacts may have ended without a word: takes those out that are in the world's list no more.
-    void Resync();
     /// Are all contacts here? A search for pairs makes contacts in the middle of a step, and they are taken
     /// in after it; and some of the calls that end or make a contact may be bound inside Box2D. (One may have
     /// ended unseen, and the next one be at its place in memory: that one has no number yet.)
@@ -78,11 +75,6 @@ public:
         return m_live == m_manager->m_contactCount && Newest() == newest &&
                (newest == nullptr || NumberOf(newest) != kNone);
     }
-
-    /// May contacts be missing in the lists of their bodies? A listener may step the world in EndContact.
-    /// Where b2Body::SetType ended the contact, it empties the body's list when it is done, and with it what
-    /// that step put there. As long as such contacts live, the world is Box2D's alone to step.
-    bool MayHaveUnlisted() const { return m_unlisted > 0; }
 
     /// The contact was flagged for filtering, or looked at by other code: its record is due.
     void Flag(const b2Contact *contact, uint8_t bits);
@@ -108,8 +100,8 @@ public:
     /// The newest pair below `end` that is to be looked at, kNone where there is none, after code of the game
     /// ran: each pair's own two movers are compared once more.
     uint32_t NextDue(uint32_t end);
-    /// Code of the game ran: what was read before may have changed. `locked`: the world was, all the while.
-    void Distrust(bool locked);
+    /// Code of the game ran: what was read before may have changed. (The world was locked all the while.)
+    void Distrust() { ++m_look; }
     uint32_t WatchedCount() const { return static_cast<uint32_t>(m_watched); }
     /// Of these, the ones that touched when they were looked at.
     uint32_t CountTouching() const {
@@ -176,14 +168,9 @@ public:
     }
 
     OwedEnabling &Owed() { return m_owed; }
-    uint32_t PassNumber() const { return m_passNumber; }
 
     // Impacts.
 
-    /// May there be a pair of which neither body is dynamic? Box2D's search asserts that there is none. (A
-    /// filter may change types when it is asked about a new pair; and a change of type ends contacts, which a
-    /// listener may make a step of.)
-    bool MayLackDynamic() const { return m_withoutDynamic || m_endings > 0; }
     /// `careful`: code of the game may have run since the look at the movers.
     void BeginSearch(bool careful);
     /// Those of the 64 pairs of this word that a search comes by: of `all`, or of those that are watched, the
@@ -236,14 +223,15 @@ public:
 
     /// Has somebody, a pass or a contact that ends, a pointer to it?
     bool IsInPass() const { return m_passes > 0; }
-    /// A pass is under way: numbers stay as they are. If a listener's exception ends it, every pair is due.
+    /// Has the world left it (LeaveTable)? A pass that is under way looks at nothing here from then on, and
+    /// goes on by Box2D's list.
+    bool WasLeft() const { return m_left; }
+    /// A pass is under way: numbers stay as they are. If an exception of the game's ends it, the world leaves
+    /// the table.
     class Pass {
     public:
         explicit Pass(Ledger *ledger) : m_ledger(ledger) { ++ledger->m_passes; }
-        ~Pass() {
-            --m_ledger->m_passes;
-            m_ledger->m_interrupted = m_ledger->m_interrupted || !m_complete;
-        }
+        ~Pass();
         Pass(const Pass &) = delete;
         Pass &operator=(const Pass &) = delete;
         void Complete() { m_complete = true; }
@@ -260,19 +248,17 @@ public:
     public:
         Ending(Ledger *ledger, const b2Contact *contact)
             : Pass(ledger), m_contact(contact), m_number(ledger->FindNumber(contact)) {
-            ++ledger->m_endings;
             ledger->NoteLostProxies(m_number, *contact);
         }
-        ~Ending() { --m_ledger->m_endings; }
-        void Complete() {
-            m_ledger->Remove(m_number, m_contact);
-            Pass::Complete();
-        }
+        void Complete();
 
     private:
         const b2Contact *m_contact; ///< once it has ended, its address and no more
         uint32_t m_number;
     };
+
+protected:
+    bool m_left = false; ///< see WasLeft
 
 private:
     const b2Contact *Newest() const;
@@ -296,7 +282,7 @@ private:
     void TrimEnd();
     void PrefetchLookAgain(uint32_t rows, uint32_t shapes) const;
     void LookAgainAt(uint32_t row) {
-        if (m_movers.LookedAt(row) != m_look && !(m_locked && m_movers.ConfirmAsBefore(row, m_look)))
+        if (m_movers.LookedAt(row) != m_look && !m_movers.ConfirmAsBefore(row, m_look))
             m_movers.Look(row, m_manager->m_broadPhase, m_look, true);
     }
     bool StopsInSweeps(uint32_t i) const {
@@ -337,18 +323,13 @@ private:
     /// One of the two is not to be tunnelled through, as far as anybody knows. Without it both are watched,
     /// and neither row had kStops at any look since.
     BitColumn m_stops;
-    BitColumn m_listed;   ///< in the world's list, when Resync looked
     uint32_t m_count = 0; ///< records, the dead ones among them
     int32 m_live = 0, m_watched = 0;
     uint64_t m_step = 0; ///< CurrentStep() of the last look at all movers
     uint64_t m_look = 1; ///< goes up whenever what was read may be old
     uint32_t m_passNumber = 0;
-    uint32_t m_passes = 0;         ///< under way
-    uint32_t m_endings = 0;        ///< of these, ends of contacts
-    uint32_t m_unlisted = 0;       ///< records with kUnlisted
-    bool m_withoutDynamic = false; ///< see MayLackDynamic
+    uint32_t m_passes = 0; ///< under way
     bool m_interrupted = false;
-    bool m_locked = false;          ///< the world was, since the last look at all movers
     bool m_sweepsCarefully = false; ///< see BeginSearch, RuleOutImpact
     uint32_t m_followed = 0; ///< rows that were looked at in the last look at all movers, and are active
     // See NextStepPays.

@@ -17,6 +17,7 @@ namespace {
 
 struct Entry : Ledger {
     using Ledger::Ledger;
+    void Leave() { m_left = true; }
     WorldSign::Number sign = 0;
     uint32_t stepsOfFew = 0; ///< in a row began with fewer contacts than a ledger is kept for
     Entry *next = nullptr;
@@ -58,7 +59,8 @@ void Drop(const b2ContactManager *manager) {
         return;
     *link = ended->next;
     internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
-    if (!ended->IsInPass()) // else a pass has its address, in a step that may never end
+    ended->Leave();
+    if (!ended->IsInPass())
         delete ended;
 }
 
@@ -108,9 +110,8 @@ Ledger *LedgerForStep(b2ContactManager *manager) {
     uint32_t &stepsOfFew = static_cast<Entry *>(ledger)->stepsOfFew;
     if (manager->m_contactCount >= WorthALedgerAnyway() / 2)
         stepsOfFew = 0;
-    else if (!StepUnderWay::IsInner() && !ledger->IsInPass() && ++stepsOfFew > StepsUntilGivenBack()) {
-        ledger->GiveMarksBack();
-        DropLedger(manager);
+    else if (++stepsOfFew > StepsUntilGivenBack()) {
+        LeaveTable(manager);
         return nullptr;
     }
     return ledger;
@@ -122,6 +123,28 @@ void DropLedgerOfEmpty(const b2ContactManager *manager) {
     const Ledger *const ledger = FindLedger(manager);
     if (ledger != nullptr && !ledger->IsInPass())
         Drop(manager);
+}
+
+void LeaveTable(const b2ContactManager *manager) {
+    if (Ledger *const ledger = FindLedger(manager)) {
+        ledger->GiveMarksBack();
+        Drop(manager);
+    }
+}
+
+Ledger::Pass::~Pass() {
+    if (!m_complete && !m_ledger->WasLeft())
+        LeaveTable(m_ledger->m_manager);
+    if (--m_ledger->m_passes == 0 && m_ledger->WasLeft())
+        delete static_cast<Entry *>(m_ledger);
+}
+
+void Ledger::Ending::Complete() {
+    if (!m_ledger->WasLeft())
+        m_ledger->Remove(m_number, m_contact);
+    else
+        DropLedger(m_ledger->m_manager); // made by a step meanwhile: it may know the contact
+    Pass::Complete();
 }
 
 void DropLedger(const b2ContactManager *manager) {

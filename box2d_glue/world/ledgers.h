@@ -56,6 +56,11 @@ Ledger *FindAndSignLedger(b2ContactManager *manager);
 /// A world without contacts has no ledger. It may be another world than before: a game may make a world in
 /// the memory of one whose destructor it never called.
 void DropLedgerOfEmpty(const b2ContactManager *manager);
+/// For a game that breaks Box2D's rules: it steps a world inside of its own callbacks, throws through a step,
+/// or makes and ends contacts unheard. The marks that Box2D's contacts would hold by now are written back,
+/// once, and the world has no ledger until its next step begins. (Enabling is not owed any more: it was paid
+/// ahead of the game's code.) Passes that are under way go on by Box2D's list, and are as safe as Box2D's.
+void LeaveTable(const b2ContactManager *manager);
 /// The world ends, or is to be forgotten. A pass that is under way keeps what it has.
 void DropLedger(const b2ContactManager *manager);
 

@@ -93,8 +93,6 @@ public:
         ++m_rows[row].proved;
     }
     void DropProof(uint32_t row) { --m_rows[row].proved; }
-    /// The row's fixture may have none by now: the next look finds it.
-    void LoseProxy(uint32_t row) { m_rows[row].proxy = b2BroadPhase::e_nullProxy; }
     /// Sets SweepBits.
     void LookAtSweep(uint32_t row, uint64_t look) {
         if (m_rows[row].sweptAt != look)

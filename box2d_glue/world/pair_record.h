@@ -11,7 +11,6 @@ enum RecordBit : uint8_t {
     kHasLine = 1,       ///< its line renews the deadline
     kToBeFiltered = 2,  ///< Box2D has flagged it for filtering
     kNoImpactProof = 4, ///< its budget says nothing of impacts
-    kUnlisted = 32,     ///< it began while another one ended; see MayHaveUnlisted
 };
 
 struct PairRecord {

@@ -74,7 +74,6 @@ void Ledger::LookAtMovers() {
     ++m_look;
     ++m_passNumber;
     m_step = CurrentStep();
-    m_locked = true;
     m_followed = 0;
     const uint32_t count = m_movers.Count();
     for (uint32_t row = 0; row < count; ++row) {
@@ -83,14 +82,11 @@ void Ledger::LookAtMovers() {
         const Mover &mover = m_movers[row];
         if (mover.records == 0)
             continue;
-        const uint8_t before = m_movers.Bits(row);
         if (mover.proved > 0) {
             m_movers.Look(row, m_manager->m_broadPhase, m_look, false);
             m_followed += m_movers.IsActive(row) ? 1 : 0;
         } else // each of its pairs is due, and looks at it then
             m_movers.PassOver(row);
-        if (m_passes > 1) // the pass around this one had not reached all of its pairs
-            m_movers.SetBits(row, m_movers.Bits(row) | (before & kChanged));
         if (mover.watched < mover.records && m_movers.IsActiveNow(row))
             WakeRow(row);
     }
@@ -104,13 +100,6 @@ uint64_t Ledger::DueOf(uint32_t word) const {
     for (uint32_t i = first; i < end; ++i)
         due |= static_cast<uint64_t>(IsDue(i)) << (i - first);
     return due & m_awake.Word(word);
-}
-
-void Ledger::Distrust(bool locked) {
-    ++m_look;
-    m_locked = m_locked && locked;
-    if (!IsWhole())
-        Resync();
 }
 
 /// Ahead of LookAgain: asks memory for what it compares, for the second pair once that came for the first.

@@ -22,7 +22,7 @@ bool Ledger::NextStepPays() {
     if (m_restingSteps == 0 || WorksEverywhere())
         return true;
     --m_restingSteps;
-    return m_passes > 0;
+    return false;
 }
 
 void Ledger::NoteList(uint32_t awake) {

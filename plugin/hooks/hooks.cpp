@@ -15,8 +15,6 @@
 #include "contacts/solid_contact.h"
 #include "hooks/start.h"
 #include "hooks/stock.h"
-#include "passes/collide.h"
-#include "passes/contact_access.h"
 #include "passes/find_pairs.h"
 #include "passes/step.h"
 #include "proofs/convex_distance.h"
@@ -42,10 +40,10 @@ namespace {
 
 BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterations,
                            int32 positionIterations) {
-    const StepUnderWay step(HasCodeOfGame(world->GetContactManager()));
+    const StepUnderWay step;
     CurrentTimeStep() = timeStep;
     CountStep();
-    if (StepIsOurs())
+    if (StepIsOurs(*world))
         RunStep(world, timeStep, velocityIterations, positionIterations);
     else
         stock::Step(world, timeStep, velocityIterations, positionIterations);
@@ -76,13 +74,22 @@ void b2World::Step(float timeStep, int32 velocityIterations, int32 positionItera
         StepAsAsked(this, timeStep, velocityIterations, positionIterations);
 }
 
-// The parts of a step.
+// The parts of a step that is Box2D's. (RunStep calls the passes of one that is ours.) Install finds out
+// here that they are heard of.
 
 void b2ContactManager::Collide() {
-    if (PassesRun(HookOf::Collide))
-        bmr::Collide(this);
-    else
-        stock::Collide(this);
+    PassesRun(HookOf::Collide);
+    stock::Collide(this);
+}
+
+void b2World::Solve(const b2TimeStep &step) {
+    PassesRun(HookOf::Solve);
+    stock::Solve(this, step);
+}
+
+void b2World::SolveTOI(const b2TimeStep &step) {
+    PassesRun(HookOf::SolveToi);
+    stock::SolveToi(this, step);
 }
 
 void b2ContactManager::FindNewContacts() {
@@ -90,21 +97,6 @@ void b2ContactManager::FindNewContacts() {
         bmr::FindNewContacts(this);
     else
         stock::FindNewContacts(this);
-}
-
-void b2World::Solve(const b2TimeStep &step) {
-    if (PassesRun(HookOf::Solve))
-        bmr::Solve(this, step, [](b2World *world, const b2TimeStep &given) { stock::Solve(world, given); });
-    else
-        stock::Solve(this, step);
-}
-
-void b2World::SolveTOI(const b2TimeStep &step) {
-    if (PassesRun(HookOf::SolveToi))
-        bmr::SolveTOI(this, step,
-                      [](b2World *world, const b2TimeStep &given) { stock::SolveToi(world, given); });
-    else
-        stock::SolveToi(this, step);
 }
 
 // The broad phase, in steps and outside of them, for every caller.

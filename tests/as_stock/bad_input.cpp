@@ -19,26 +19,8 @@ const Value kNone = {"NaN", NAN}, kInfinite = {"infinity", INFINITY}, kZero = {"
             kHuge = {"1e38", 1e38f}, kLarge = {"1e9", 1e9f}, kTiny = {"1e-38", 1e-38f},
             kMinus = {"-100", -100.0f};
 
-/// Does what is to be done when it is first asked about a new pair, before the world is locked; or when it is
-/// told of an end outside of a step.
-class Meddler final : public b2ContactFilter, public b2ContactListener {
-public:
-    std::function<void(b2Body *)> asked;
-    std::function<void()> told;
-    bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
-        if (asked)
-            std::exchange(asked, nullptr)(b->GetBody());
-        return b2ContactFilter::ShouldCollide(a, b);
-    }
-    void EndContact(b2Contact *contact) override {
-        if (told && !contact->GetFixtureA()->GetBody()->GetWorld()->IsLocked())
-            std::exchange(told, nullptr)();
-    }
-};
-
 /// What happens to, and what the world is stepped with from then on.
 struct BadGame {
-    Meddler meddler; ///< in the world where something is to be done
     b2World world{b2Vec2(0.0f, -10.0f)};
     b2Body *box, *wheel, *bullet; ///< in the middle of the others
     b2Body *sensor;               ///< through which they fall
@@ -64,24 +46,6 @@ struct BadGame {
     }
     b2PolygonShape &Polygon(const b2Body *body) const {
         return *static_cast<b2PolygonShape *>(const_cast<b2Fixture *>(body->GetFixtureList())->GetShape());
-    }
-    /// In the box of a slanted plank, of which the filter is then asked, and apart from the plank itself.
-    void DropNearPlank(std::function<void(b2Body *)> asked) {
-        meddler.asked = std::move(asked);
-        world.SetContactFilter(&meddler);
-        AddBox(world, b2_dynamicBody, {-3.0f, 0.5f}, {0.1f, 0.1f}, 0.0f);
-    }
-    /// A box near a wall and in a sensor, which came later. When its first contact ends, the world is
-    /// stepped.
-    b2Body *AddInSensor() {
-        AddBox(world, b2_staticBody, {1.1f, 20.0f}, {0.5f, 0.5f}, 0.0f);
-        b2Body *const body = AddBox(world, b2_dynamicBody, {0.0f, 20.1f}, {0.5f, 0.5f}, 0.0f);
-        world.Step(0.0f, 8, 3);
-        AddBox(world, b2_staticBody, {0.0f, 20.0f}, {0.5f, 0.5f}, 0.0f, true);
-        world.Step(0.0f, 8, 3);
-        meddler.told = [this] { world.Step(timeStep, 8, 3); };
-        world.SetContactListener(&meddler);
-        return body;
     }
     void Drop(const b2PolygonShape &shape, float density = 1.0f) {
         b2BodyDef def;
@@ -272,43 +236,29 @@ void ListDefinitions() {
            [](b2BodyDef &d, float v) { d.linearVelocity.y = v; });
     Define("a gravity scale of ", {kNone}, [](b2BodyDef &d, float v) { d.gravityScale = v; });
     Each("a density of *", {kNone, {"-1", -1.0f}}, [](BadGame &g, float v) { DropBox(g, 0.5f, 0.5f, v); });
-    // What Box2D asserts in its loops over contacts.
-    Happens("a body gets a contact, and the filter puts it out of the world",
-            [](BadGame &g) { g.DropNearPlank([](b2Body *b) { b->SetEnabled(false); }); });
-    Happens("a body gets a contact with a static one, and the filter makes it kinematic",
-            [](BadGame &g) { g.DropNearPlank([](b2Body *b) { b->SetType(b2_kinematicBody); }); });
-    Happens("a listener steps the world while a body is put out of it",
-            [](BadGame &g) { g.AddInSensor()->SetEnabled(false); });
-    Happens("a listener steps the world while a body becomes kinematic",
-            [](BadGame &g) { g.AddInSensor()->SetType(b2_kinematicBody); });
 }
 
 /// Which of them Box2D's assertions do not let pass.
-const std::set<std::string> kAborts = {
-    "a mass of NaN",
-    "an inertia that its centre makes negative",
-    "a radius of NaN",
-    "a vertex becomes infinite",
-    "all vertices grow to 1e38",
-    "a count of 0",
-    "a count of 0, of a sensor",
-    "Set of 2 points",
-    "Set of 3 points on a line",
-    "Set of 9 points",
-    "Set with a NaN",
-    "Set with an infinity",
-    "Set of a square of 1e-38",
-    "SetAsBox of NaN",
-    "SetAsBox of -100",
-    "SetAsBox of 0",
-    "SetAsBox of 1e-38",
-    "a body defined at NaN",
-    "a body defined with an angle of NaN",
-    "a body defined with a velocity of NaN",
-    "a body gets a contact, and the filter puts it out of the world",
-    "a body gets a contact with a static one, and the filter makes it kinematic",
-    "a listener steps the world while a body is put out of it",
-    "a listener steps the world while a body becomes kinematic"};
+const std::set<std::string> kAborts = {"a mass of NaN",
+                                       "an inertia that its centre makes negative",
+                                       "a radius of NaN",
+                                       "a vertex becomes infinite",
+                                       "all vertices grow to 1e38",
+                                       "a count of 0",
+                                       "a count of 0, of a sensor",
+                                       "Set of 2 points",
+                                       "Set of 3 points on a line",
+                                       "Set of 9 points",
+                                       "Set with a NaN",
+                                       "Set with an infinity",
+                                       "Set of a square of 1e-38",
+                                       "SetAsBox of NaN",
+                                       "SetAsBox of -100",
+                                       "SetAsBox of 0",
+                                       "SetAsBox of 1e-38",
+                                       "a body defined at NaN",
+                                       "a body defined with an angle of NaN",
+                                       "a body defined with a velocity of NaN"};
 
 Run *playing; ///< in this process
 bool mayAbort;

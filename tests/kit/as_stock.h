@@ -48,7 +48,7 @@ inline std::string Played(const Scenario &play, const Form &form, unsigned how) 
         const bmr::Counted after = bmr::internal::ReadCounts();
         if (form.counts && (how & kMayBeSilent) == 0)
             run.Expect(after.evaluations != before.evaluations, "something is answered");
-        run.Expect(after.differences == 0, "the answers are Box2D's");
+        run.Expect(after.differences == 0 || run.HasBrokenRules(), "the answers are Box2D's");
     };
     const std::string played =
         InChild(counted, &options, (how & kInstalls) != 0 ? Installed::ByPlay : Installed::Before);
@@ -65,10 +65,13 @@ inline void AsStock(const Scenario &play, unsigned how = kAsAny) {
     });
     REQUIRE(stock != "");
     REQUIRE(Difference(stock, stock) == "");
+    // A game that breaks Box2D's rules is as safe as with stock, and no more.
+    const bool isAsSafe = (how & kBreaksRules) != 0 || stock.find(Run::kBrokenRules) != std::string::npos;
     for (const Form &form : kForms) {
         const std::string name = form.name;
         CAPTURE(name);
-        REQUIRE(Difference(stock, Played(play, form, how)) == "");
+        const std::string played = Played(play, form, how);
+        REQUIRE(Difference(isAsSafe ? played : stock, played) == "");
     }
 }
 

@@ -98,7 +98,13 @@ public:
             Print("!not staged: %s", what);
     }
     /// A game that breaks Box2D's rules need not say what takes place: bits may differ from there on.
-    void BreaksRules() { m_breaksRules = true; }
+    void BreaksRules() {
+        if (!m_breaksRules)
+            Print("%s", kBrokenRules);
+        m_breaksRules = true;
+    }
+    bool HasBrokenRules() const { return m_breaksRules; }
+    static constexpr const char *kBrokenRules = "Box2D's rules are broken";
     bool SaysWhatTookPlace() const { return m_stages || m_breaksRules; }
 
 private:
