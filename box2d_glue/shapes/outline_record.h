@@ -2,10 +2,14 @@
 #ifndef BOOMERANG_GLUE_OUTLINE_RECORD_H
 #define BOOMERANG_GLUE_OUTLINE_RECORD_H
 
+#include <box2d/b2_shape.h>
+
+#include "boomerang/error.h"
 #include "boomerang/outline.h"
+#include "convex32/convex32.h"
 #include "shapes/convex_registry.h"
 
-class b2Shape;
+class b2Body;
 
 namespace bmr {
 
@@ -18,7 +22,7 @@ struct OutlineRecord : registry::Group {
     double ownPart; ///< of the inertias that its pieces have of their own: the rest is for floats to hold
     float reach;    ///< no vertex of a piece is farther from the origin
     uint32_t pieceCount;
-    uint32_t balance;           ///< which of the pieces makes up for the rounding of all (outline_mass.h)
+    uint32_t balance;           ///< which of the pieces makes up for the rounding of all (WeighPiece)
     registry::Handle pieces[1]; ///< as many as there are pieces
 };
 
@@ -30,6 +34,28 @@ bmr_error MakeOutlineRecord(const bmr_outline_pieces &pieces, const bmr_mass &ma
 /// The record that a shape is a piece of, also where it was changed in place; nullptr where it is none. A few
 /// loads.
 OutlineRecord *OutlineRecordOf(const b2Shape &shape);
+
+/// A ray from p1 towards p2, in the shape's frame, hits a piece of an outline by an edge, at a fraction of
+/// the way (bmr_convex32_ray) and with that edge's normal. Does it come into the outline there?
+///
+/// True also where a corner of the outline let it through by rounding, and it hits the piece behind the
+/// corner by an inner edge. Then `*normal` becomes that of the outline's edge at the corner, and `*fraction`
+/// may become less.
+///
+/// O(1), but for the parts of that edge; of a ray that passes an end of an inner edge by no more than
+/// rounding, O(all the outline's vertices). Reads what never changes: on any thread.
+bool EntersOutline(registry::Handle piece, bmr_vec32 p1, bmr_vec32 p2, uint32_t edge, float *fraction,
+                   bmr_vec32 *normal);
+
+/// The mass of a fixture of a piece: its share of the outline's mass. The inertias of all shares of one
+/// density add up, in a body that has nothing else and in Box2D's rounding, to the float that is nearest to
+/// the outline's, or to one beside it: midway between two, a sum goes to the even one. One of the pieces
+/// makes up for the rounding of the others: of that one O(pieces), else O(1).
+void WeighPiece(registry::Handle piece, float density, b2MassData *massData);
+
+/// Will Box2D hold the inertia of a body to kInertiaTolerance when all pieces are on it, too? Else
+/// BMR_ERROR_FAR_FROM_ORIGIN. Bodies that do not turn have none to be held. O(pieces and fixtures).
+bmr_error CheckInertia(const b2Body &body, const OutlineRecord &record, float density);
 
 } // namespace bmr
 

@@ -12,7 +12,6 @@
 #include "geometry/memory.h"
 #include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
-#include "shapes/outline_mass.h"
 #include "shapes/outline_record.h"
 #include "shapes/weighing.h"
 
