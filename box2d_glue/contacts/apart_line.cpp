@@ -159,22 +159,12 @@ namespace {
 /// beyond it.
 bool BeginProof(Ledger *ledger, uint32_t record, double *soon) {
     constexpr double kFatBoxes = 6.0 * static_cast<double>(b2_aabbExtension);
-    if (!ledger->CountDownWait(record)) {
-        *soon = 2.0 * (ExpectedMotion(ledger->GetMovers()[ledger->At(record).a]) +
-                       ExpectedMotion(ledger->GetMovers()[ledger->At(record).b]));
-        if (*soon <= kFatBoxes) {
-            if (ledger->BeginProof(record))
-                return true;
-            ledger->ProvedInVain(record); // a pair that may have no budget: not asked again at once
-        }
-    }
+    *soon = 2.0 * (ExpectedMotion(ledger->GetMovers()[ledger->At(record).a]) +
+                   ExpectedMotion(ledger->GetMovers()[ledger->At(record).b]));
+    if (*soon <= kFatBoxes && ledger->BeginProof(record))
+        return true;
     ledger->SetDue(record);
     return false;
-}
-
-void NoProof(Ledger *ledger, uint32_t record) {
-    ledger->ProvedInVain(record);
-    ledger->SetDue(record);
 }
 
 /// How deep the vertex of one that reaches farthest towards the other's middle lies in that; both small. Less
@@ -216,7 +206,7 @@ void ProveOverlap(Ledger *ledger, uint32_t record) {
     if (depth > margin + soon && skins >= margin)
         ledger->Prove(record, {0.0, 0.0}, depth, margin, false);
     else
-        NoProof(ledger, record);
+        ledger->SetDue(record);
 }
 
 void ProveApart(Ledger *ledger, uint32_t record, SolidContact *contact) {
@@ -245,7 +235,7 @@ void ProveApart(Ledger *ledger, uint32_t record, SolidContact *contact) {
             best = other;
     }
     if (!(best.gap > threshold + soon)) {
-        NoProof(ledger, record);
+        ledger->SetDue(record);
         return;
     }
     const int band = ledger->GetMovers().Band(ledger->At(record).a, ledger->At(record).b);

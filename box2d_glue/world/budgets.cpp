@@ -24,29 +24,6 @@ bool Ledger::Renew(uint32_t i, double threshold) {
     return true;
 }
 
-bool Ledger::CountDownWait(uint32_t i) {
-    Patience &patience = m_patience[i];
-    if ((m_bits[i] & kHasLine) != 0) {
-        // It was made, and is used up. Did it spare a look?
-        if (static_cast<uint8_t>(m_passNumber - patience.provedAt) > 1)
-            patience = {patience.provedAt, 0, 0};
-        else
-            ProvedInVain(i);
-    }
-    if (patience.waits == 0)
-        return false;
-    --patience.waits;
-    return true;
-}
-
-void Ledger::ProvedInVain(uint32_t i) {
-    constexpr uint8_t kMostDoublings = 3;
-    Patience &patience = m_patience[i];
-    if (patience.doublings < kMostDoublings)
-        ++patience.doublings;
-    patience.waits = static_cast<uint8_t>((1u << patience.doublings) - 1u);
-}
-
 bool Ledger::BeginProof(uint32_t i) {
     DropLine(i);
     const Record &record = m_records[i];
@@ -62,7 +39,6 @@ void Ledger::Prove(uint32_t i, bmr_vec2 d, double gap, double threshold, bool fo
     m_records[i].deadline = bmr_budget_deadline(gap - threshold, a.moved, b.moved, kUnits);
     m_lines[i] = bmr_budget_line_make(d, gap, &a, &b, kUnits);
     m_bits[i] = static_cast<uint8_t>((m_bits[i] & ~kNoImpactProof) | (forImpactsToo ? 0 : kNoImpactProof));
-    m_patience[i].provedAt = static_cast<uint8_t>(m_passNumber);
 }
 
 } // namespace bmr

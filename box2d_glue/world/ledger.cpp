@@ -20,7 +20,6 @@ void Ledger::Reserve(uint32_t count) {
     m_lines.Reserve(count);
     m_contacts.Reserve(count);
     m_bits.Reserve(count);
-    m_patience.Reserve(count);
     m_awake.Reserve(count);
     m_touching.Reserve(count);
     m_stops.Reserve(count);
@@ -98,7 +97,6 @@ void Ledger::Put(uint32_t i, b2Contact *contact) {
     ContactNumber::Write(contact, i);
     m_contacts[i] = contact;
     m_bits[i] = 0;
-    m_patience[i] = {};
     m_marks.Read(i, contact);
     ++m_count;
     ++m_live;
@@ -187,7 +185,6 @@ void Ledger::Compact() {
         m_bits[to] = m_bits[from];
         m_proxyPairs.Renumber(from, to);
         m_hullPairs.Renumber(from, to);
-        m_patience[to] = m_patience[from];
         m_marks.Renumber(from, to);
         for (BitColumn *column : {&m_awake, &m_touching, &m_stops})
             column->Renumber(from, to);

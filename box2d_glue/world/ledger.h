@@ -144,10 +144,6 @@ public:
     void Rest(uint32_t i);
     /// Renews a pair by its own line; false where that proves nothing.
     bool Renew(uint32_t i, double threshold);
-    /// Counts a look. Is it too early for another proof, because the last one was short-lived?
-    bool CountDownWait(uint32_t i);
-    /// It is not to be had, or did not last.
-    void ProvedInVain(uint32_t i);
     /// Reads all that a proof of the two needs; false if they are to have none. Call Prove or SetDue next.
     bool BeginProof(uint32_t i);
     /// The two are apart: <d, b - a> >= gap for all their points. A budget without a line is that of d = 0:
@@ -315,7 +311,6 @@ private:
     ProxyPairs m_proxyPairs;
     Column<b2Contact *> m_contacts;
     Column<uint8_t> m_bits;
-    Column<Patience> m_patience;
     Marks m_marks;
     HullPairs m_hullPairs;
     BitColumn m_awake;    ///< alive, and one of its bodies was awake

@@ -18,13 +18,6 @@ struct PairRecord {
     uint32_t a, b;     ///< movers of the contact's fixtures A and B
 };
 
-/// How often proofs of a pair were in vain.
-struct Patience {
-    uint8_t provedAt;  ///< number of the pass in which the line was made, modulo 256
-    uint8_t doublings; ///< proofs in a row that did not outlast the next pass
-    uint8_t waits;     ///< looks to come without one
-};
-
 } // namespace bmr
 
 #endif
