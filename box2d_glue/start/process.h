@@ -9,9 +9,9 @@
 class b2ContactListener;
 
 /// @file
-/// What belongs to the process, not to a world: its number, what happens where it forks, its locks, what it has
-/// said, and which class its contact recorders are of. (A child has all that its parent had, exit handlers
-/// too.)
+/// What belongs to the process, not to a world: its number, what happens where it forks, its locks, what it
+/// has said, and which class its contact recorders are of. (A child has all that its parent had, exit
+/// handlers too.)
 
 namespace bmr {
 
