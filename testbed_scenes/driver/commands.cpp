@@ -9,9 +9,9 @@
 #include <unistd.h>
 
 #include "command_line/nearest.h"
+#include "compare.h"
 #include "output_file.h"
 #include "progress.h"
-#include "report.h"
 #include "table.h"
 #include "theory/figure.h"
 

@@ -11,7 +11,7 @@
 #include "compare.h"
 #include "pictures.h"
 #include "workers.h"
-#include "worlds/figures.h"
+#include "worlds/world.h"
 
 namespace CLI {
 class App;

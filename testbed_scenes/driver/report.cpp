@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report.h"
+#include "compare.h"
 
 #include <algorithm>
 #include <cmath>

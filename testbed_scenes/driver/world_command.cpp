@@ -12,7 +12,7 @@
 #include "output_file.h"
 #include "progress.h"
 #include "table.h"
-#include "worlds/frames.h"
+#include "worlds/world.h"
 
 namespace testbed {
 namespace {

@@ -4,14 +4,78 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "boomerang/analysis.h"
-#include "theory/body.h"
-#include "theory/files.h"
+#include "boomerang/kds.h"
+#include "boomerang/motion.h"
 
 namespace testbed {
+
+/// Throws what an error code of core means, as a sentence about `what`.
+void Require(bmr_error error, const std::string &what);
+
+/// A convex polygon with all three hierarchies, and the chains of those two whose chains are searched: all
+/// that its pairs share. Or with none of these.
+class Body {
+public:
+    enum class Hierarchies { All, None };
+    /// The hull of the points. Throws std::runtime_error.
+    explicit Body(const std::vector<bmr_vec2> &points, Hierarchies hierarchies = Hierarchies::All);
+
+    const bmr_polygon *Polygon() const { return m_polygon.get(); }
+    const bmr_hierarchy *Hierarchy(bmr_hierarchy_kind kind) const { return m_hierarchies[kind].get(); }
+    bmr_shape Shape() const;
+    std::vector<bmr_vec2> Vertices() const;
+    /// The largest distance of two vertices.
+    double Diameter() const;
+
+private:
+    struct Deleter {
+        void operator()(bmr_polygon *polygon) const { bmr_polygon_destroy(polygon, nullptr); }
+        void operator()(bmr_compass *compass) const { bmr_compass_destroy(compass, nullptr); }
+        void operator()(bmr_hierarchy *hierarchy) const { bmr_hierarchy_destroy(hierarchy, nullptr); }
+        void operator()(bmr_chains *chains) const { bmr_chains_destroy(chains, nullptr); }
+    };
+    std::unique_ptr<bmr_polygon, Deleter> m_polygon;
+    std::unique_ptr<bmr_compass, Deleter> m_compass;
+    std::unique_ptr<bmr_hierarchy, Deleter> m_hierarchies[BMR_HIERARCHY_KIND_COUNT];
+    std::unique_ptr<bmr_chains, Deleter> m_chains[BMR_HIERARCHY_KIND_COUNT];
+};
+
+/// What is wrong with a file that somebody wrote: "motion.txt, line 3: ...".
+class FileError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A polygon file: one point a line, "x y", in any order (the hull is taken); # begins a comment.
+std::vector<bmr_vec2> ReadPolygonFile(const std::string &path);
+
+struct MotionDeleter {
+    void operator()(bmr_motion *motion) const { bmr_motion_destroy(motion); }
+};
+using MotionPointer = std::unique_ptr<bmr_motion, MotionDeleter>;
+
+/// The motions of A and B, and the time they are to be followed: from `from` until `until`.
+struct MotionFile {
+    MotionPointer motions[2];
+    double from = 0.0, until = 1.0;
+};
+
+/// A motion file: one statement a line, # begins a comment. Angles are in radians.
+///
+///     time FROM UNTIL                        the times to follow (default 0 1)
+///     body A | body B                        whose motion the following lines tell; a body without any rests
+///     rest T X Y ANGLE                       from time T on it stands still
+///     screw T X Y ANGLE VX VY SPIN           from T on: a straight line, a constant spin
+///     algebraic T ANGLE x X0 X1.. y Y0 Y1.. [a A0 A1.. b B0 B1..]
+///                                            from T on, with u = t - T: position (sum Xk u^k, sum Yk u^k),
+///                                            turned by ANGLE and by 2 atan2(sum Bk u^k, sum Ak u^k)
+///     sample T X Y ANGLE                     screws from sample to sample; not to be mixed with the others
+MotionFile ReadMotionFile(const std::string &path);
 
 /// What two bodies do: a family's motion, or one from a file.
 class Course {

@@ -7,7 +7,7 @@
 
 #include "boomerang/hierarchy.h"
 #include "drawing/canvas.h"
-#include "theory/body.h"
+#include "theory/course.h"
 
 namespace testbed {
 

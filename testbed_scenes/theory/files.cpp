@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "theory/files.h"
+#include "theory/course.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "worlds/figures.h"
+#include "worlds/world.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "worlds/frames.h"
+#include "worlds/world.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "worlds/run.h"
+#include "worlds/world.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "boomerang/distance.h"
-#include "theory/files.h"
+#include "theory/course.h"
 
 namespace testbed {
 namespace {

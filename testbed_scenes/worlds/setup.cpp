@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "worlds/setup.h"
+#include "worlds/world.h"
 
 #include <algorithm>
 #include <cmath>

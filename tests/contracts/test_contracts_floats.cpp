@@ -150,7 +150,7 @@ std::string Apart(const bmr_transform32 &there) {
     return bmr_convex32_apart(polygon, &kHere, polygon, &there, 0.0f, &memory) ? "apart" : "no answer";
 }
 
-uint32_t Collide(const bmr_transform32 &there) {
+int32_t Collide(const bmr_transform32 &there) {
     const bmr_convex32 *polygon = &Convex()->polygon;
     bmr_convex32_memory memory = {};
     bmr_manifold32 manifold = {};
@@ -193,7 +193,7 @@ TEST_CASE("a pose that is none proves nothing of two 40-gons, which a good one h
         const char *name;
         bmr_transform32 pose; ///< place, sine, cosine
         const char *apart;
-        uint32_t points;
+        int32_t points;
         const char *distance;
         bool hit;
         const char *impact; ///< motions have angles instead of sines: nullptr

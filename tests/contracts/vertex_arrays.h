@@ -67,7 +67,7 @@ inline std::vector<Vertices> BadVertexArrays() {
     add("3 points on a line", {{0, 0}, {1, 1}, {2, 2}}, {made(2), audited(3), few, dented, few, few});
     add("20 points on a line", line, {made(2), audited(20), few, dented, few, dented});
     add("20 equal points", Points(20, {1, 1}), {made(1), far, few, far, few, far});
-    for (const size_t n : {4, 20}) {
+    for (const size_t n : {size_t{4}, size_t{20}}) {
         const Points shape = n == 20 ? Ellipse(20) : square;
         const auto changed = [&](const char *how, std::vector<Answer> answers,
                                  const std::function<void(Points &)> &change) {
