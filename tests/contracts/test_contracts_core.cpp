@@ -124,8 +124,9 @@ TEST_CASE("boomerang/hierarchy.h, boomerang/inflated.h") {
             return ask.Says(error);
         bmr_hierarchy *built = nullptr;
         const bmr_error then = bmr_hierarchy_build_compass(Round().polygon, compass, nullptr, &built);
+        const std::string said = MadeHierarchy(ask, then, built, nullptr);
         bmr_compass_destroy(compass, ask.Allocator());
-        return MadeHierarchy(ask, then, built, nullptr);
+        return said;
     });
     Row("bmr_hierarchy_build_compass", [](Asked &ask) {
         bmr_hierarchy *made = nullptr;

@@ -578,13 +578,14 @@ TEST_CASE("boomerang/families.h") {
                                            ask.Result("result", &distance), &time));
     });
     Row("bmr_outline_points", [](Asked &ask) {
+        std::vector<bmr_vec2> points(65536);
         const CountGsl here(ask.Allocator());
         for (int outline = 0; outline < (ask.IsForMemory() ? BMR_OUTLINE_COUNT : 1); ++outline) {
             const auto kind =
                 ask.Or("an outline", ask.IsForMemory() ? bmr_outline(outline) : BMR_OUTLINE_LENS,
                        {{BMR_OUTLINE_COUNT, BMR_ERROR_OUT_OF_RANGE}});
             const size_t count = Count(ask.Number("points", 12, OutOfRange({2, 65536})));
-            std::vector<bmr_vec2> points(65536, {77.0, 77.0});
+            points[0] = {77.0, 77.0};
             const bmr_error error =
                 bmr_outline_points(kind, count, 7, ask.Result("place of the points", points.data()));
             if (error != BMR_OK)
