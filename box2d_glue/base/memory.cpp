@@ -8,11 +8,14 @@ namespace bmr {
 
 void *TakeMemory(void *block, std::size_t bytes) {
     void *const taken = std::realloc(block, bytes);
-    if (taken == nullptr) {
-        std::fputs("boomerang: there is no memory for a step of Box2D\n", stderr);
-        std::abort();
-    }
+    if (taken == nullptr)
+        EndWithoutMemory();
     return taken;
+}
+
+void EndWithoutMemory() {
+    std::fputs("boomerang: there is no memory\n", stderr);
+    std::abort();
 }
 
 } // namespace bmr

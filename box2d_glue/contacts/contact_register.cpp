@@ -96,12 +96,8 @@ std::atomic<bool> convexContactsAreOurs{false};
 } // namespace
 
 const char *WhyThisBox2DIsUnknown() {
-    static bool known = false;
-    static const char *why = nullptr;
     const HoldsProcessLock lock(ProcessLock::Recognising);
-    if (!known)
-        why = WhyBox2DIsUnknown();
-    known = why != kNoMemoryToRecognise;
+    static const char *const why = WhyBox2DIsUnknown();
     return why;
 }
 
@@ -121,8 +117,8 @@ void RegisterEdgeContacts() {
 bmr_error RegisterConvexContacts() {
     if (convexContactsAreOurs.load(std::memory_order_acquire))
         return BMR_OK;
-    if (const char *why = WhyThisBox2DIsUnknown())
-        return why == kNoMemoryToRecognise ? BMR_ERROR_NO_MEMORY : BMR_ERROR_UNSUPPORTED;
+    if (WhyThisBox2DIsUnknown() != nullptr)
+        return BMR_ERROR_UNSUPPORTED;
     const HoldsProcessLock lock(ProcessLock::Recognising);
     if (!convexContactsAreOurs.load(std::memory_order_relaxed)) {
         ConvexContact::LearnVtable();

@@ -14,8 +14,7 @@ namespace bmr {
 /// Contacts of big ConvexShapes with polygons, circles, edges and chains are ours from here on. To be called
 /// before the first such shape is handed out; any number of times, from any thread. (A world that another
 /// thread steps meanwhile makes its contacts as before or as after.) BMR_ERROR_UNSUPPORTED where the Box2D
-/// of this process is none that the glue knows, now and ever after; BMR_ERROR_NO_MEMORY where there was none
-/// to find that out, this time.
+/// of this process is none that the glue knows.
 bmr_error RegisterConvexContacts();
 
 /// Contacts of two polygons are ours from here on (PolygonContact). Once for a process, by Install, which
@@ -26,7 +25,7 @@ void RegisterPolygonContacts();
 void RegisterEdgeContacts();
 
 /// Why the Box2D of this process must be left alone (recognise.h), found out once for the process, on the
-/// first call from any thread; again if there was no memory to find it out.
+/// first call from any thread.
 const char *WhyThisBox2DIsUnknown();
 
 } // namespace bmr

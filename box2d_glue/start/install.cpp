@@ -75,8 +75,7 @@ bool Install(const Options &given) {
         return Refuse(why);
     if (const char *why = WhichHookIsNotCalled())
         return Refuse(why);
-    if (!MakeSettings(options))
-        return Refuse("there is no memory");
+    MakeSettings(options);
     RegisterPolygonContacts();
     RegisterEdgeContacts();
     ActivateHooks();

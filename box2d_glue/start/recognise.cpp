@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <initializer_list>
 #include <new>
@@ -269,18 +268,13 @@ const char *WhyWorldIsUnknown(const unsigned char *room, b2World &world, b2Polyg
     return WhyContentsAreUnknown(world, box);
 }
 
-/// Room for one world and one polygon of another size than expected. A leak checker finds those that stay by
-/// their list.
+/// Room for one world and one polygon of another size than expected.
 struct Trial {
-    Trial *before;
     alignas(std::max_align_t) unsigned char room[sizeof(b2World) + kMargin];
     alignas(std::max_align_t) unsigned char polygon[sizeof(b2PolygonShape) + kMargin];
 };
-Trial *leftAlone = nullptr;
 
 } // namespace
-
-const char kNoMemoryToRecognise[] = "there is no memory to find out which Box2D this is";
 
 void SetLibraryCheck(const char *(*check)()) {
     libraryCheck = check;
@@ -323,28 +317,21 @@ const char *WhyBox2DIsUnknown() {
     if (libraryCheck != nullptr)
         if (const char *why = libraryCheck())
             return why;
-    auto *trial = static_cast<Trial *>(std::malloc(sizeof(Trial)));
-    if (trial == nullptr)
-        return kNoMemoryToRecognise;
+    static Trial trial;
     // All that a world keeps except the middle of its stack, which this code does not use: a hundred
     // kilobytes that stay untouched.
     constexpr size_t kBefore = 1024;
     static_assert(kBefore < b2_stackSize && b2_stackSize < sizeof(b2World));
-    std::memset(trial->room, kUntouched, kBefore);
-    std::memset(trial->room + b2_stackSize, kUntouched, sizeof trial->room - b2_stackSize);
-    std::memset(trial->polygon, kUntouched, sizeof trial->polygon);
-    b2World *world = new (trial->room) b2World(b2Vec2(0.0f, 0.0f));
-    const char *why = WhyWorldIsUnknown(trial->room, *world, new (trial->polygon) b2PolygonShape());
-    if (why != nullptr) {
-        // A world of another kind is not to be trusted with its own end: it stays.
-        trial->before = leftAlone;
-        leftAlone = trial;
+    std::memset(trial.room, kUntouched, kBefore);
+    std::memset(trial.room + b2_stackSize, kUntouched, sizeof trial.room - b2_stackSize);
+    std::memset(trial.polygon, kUntouched, sizeof trial.polygon);
+    b2World *world = new (trial.room) b2World(b2Vec2(0.0f, 0.0f));
+    const char *why = WhyWorldIsUnknown(trial.room, *world, new (trial.polygon) b2PolygonShape());
+    if (why != nullptr) // a world of another kind is not to be trusted with its own end: it stays
         return why;
-    }
     listenerOfNewWorlds = world->GetContactManager().m_contactListener;
     filterOfNewWorlds = world->GetContactManager().m_contactFilter;
     world->~b2World();
-    std::free(trial);
     return nullptr;
 }
 
@@ -496,10 +483,8 @@ void Fill(b2World *world) {
     world->CreateBody(&body)->CreateFixture(&fixture);
 }
 
-bool StepSmallWorld() {
-    void *room = std::malloc(sizeof(b2World)); // too large for some stacks
-    if (room == nullptr)
-        return false;
+void StepSmallWorld() {
+    alignas(std::max_align_t) static unsigned char room[sizeof(b2World)]; // too large for some stacks
     auto *world = new (room) b2World(b2Vec2(0.0f, -10.0f));
     Fill(world);
     inTrialStep = true;
@@ -509,8 +494,6 @@ bool StepSmallWorld() {
     internal::state = internal::State::Nothing;
     inTrialStep = false;
     world->~b2World();
-    std::free(room);
-    return true;
 }
 
 } // namespace
@@ -525,8 +508,7 @@ bool IsInTrialStep() {
 }
 
 const char *WhichHookIsNotCalled() {
-    if (!StepSmallWorld())
-        return "there is no memory";
+    StepSmallWorld();
     uint32_t hook = 0;
     for (const HookInTrial &listed : kHooks) {
         if (listed.isHeard && (noted.load(std::memory_order_relaxed) >> hook & 1) == 0) {

@@ -15,8 +15,6 @@ namespace bmr {
 /// instead of the last two, where it explains both). About 0.1 ms, once for a process, before anything of
 /// ours is registered. No step is made.
 const char *WhyBox2DIsUnknown();
-/// The one answer that may be another the next time.
-extern const char kNoMemoryToRecognise[];
 
 /// Which of the versions that are known it is, "2.4.1" or "2.4.2": found out by what b2Distance does to the
 /// points of shapes whose skins overlap. For a Box2D that is known.

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "base/memory.h"
 #include "proofs/hull.h"
 #include "proofs/thresholds.h"
 #include "tell/event.h"
@@ -21,7 +22,7 @@ Counts &GetCounts() {
     return counts;
 }
 
-bool MakeSettings(const Options &options) {
+void MakeSettings(const Options &options) {
     Settings made;
     made.made = true;
     made.options = options;
@@ -36,11 +37,10 @@ bool MakeSettings(const Options &options) {
     if (made.options.pairsBy == BMR_LAZY_COMPASS) {
         bmr_compass *compass = nullptr;
         if (bmr_compass_create(kMostCompassVertices, nullptr, &compass) != BMR_OK)
-            return false;
+            EndWithoutMemory();
         made.compass = compass; // for as long as the process lives: hulls of every world point to it
     }
     internal::settings = made;
-    return true;
 }
 
 void ActivateHooks() {

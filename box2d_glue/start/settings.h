@@ -89,8 +89,8 @@ inline bool PairsAreHulls() {
     return GetSettings().options.pairsBy != BMR_STRUCTURE_COUNT;
 }
 
-/// Takes the options over; called once, by Install. False without memory for the compass table.
-bool MakeSettings(const Options &options);
+/// Takes the options over; called once, by Install.
+void MakeSettings(const Options &options);
 /// From here on the hooks answer. The last thing that Install does.
 void ActivateHooks();
 

@@ -14,7 +14,8 @@ namespace bmr {
 /// finds who is awake. Box2D walks over its list four times a step, asleep or not.
 class Bodies {
 public:
-    /// Takes in bodies that were made since; begins anew where one has gone. False without memory.
+    /// Takes in bodies that were made since; begins anew where one has gone. False if it is to be asked
+    /// again.
     bool Follow(b2Body *newest, int32 count);
     /// One has gone.
     void Forget() { m_count = 0; }

@@ -2,7 +2,6 @@
 #include "world/hull_pairs.h"
 
 #include <cstring>
-#include <new>
 #include <utility>
 
 #include <box2d/b2_body.h>
@@ -117,17 +116,13 @@ HullPair *HullPairs::PairOf(const b2Contact &contact) {
 
 bool HullPairs::SayApart(uint32_t number, const b2Contact &contact, const b2Transform &xfA,
                          const b2Transform &xfB) {
-    try {
-        if (m_ofContacts[number] == nullptr)
-            m_ofContacts[number] = PairOf(contact);
-        HullPair *const pair = m_ofContacts[number];
-        const bool swapped = pair->IsSwapped(contact);
-        const b2Fixture &first = *contact.GetFixtureA(), &second = *contact.GetFixtureB();
-        return pair->a->MakeHold(swapped ? second : first) && pair->b->MakeHold(swapped ? first : second) &&
-               KnownApart(pair, swapped ? xfB : xfA, swapped ? xfA : xfB);
-    } catch (const std::bad_alloc &) {
-        return false;
-    }
+    if (m_ofContacts[number] == nullptr)
+        m_ofContacts[number] = PairOf(contact);
+    HullPair *const pair = m_ofContacts[number];
+    const bool swapped = pair->IsSwapped(contact);
+    const b2Fixture &first = *contact.GetFixtureA(), &second = *contact.GetFixtureB();
+    return pair->a->MakeHold(swapped ? second : first) && pair->b->MakeHold(swapped ? first : second) &&
+           KnownApart(pair, swapped ? xfB : xfA, swapped ? xfA : xfB);
 }
 
 void HullPairs::Reserve(uint32_t count) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "world/ledgers.h"
 
-#include <new>
+#include <cstdlib>
 
 #include "base/compiler.h"
+#include "base/memory.h"
 #include "start/current_step.h"
 #include "start/process.h"
 #include "world/ledger.h"
@@ -17,6 +18,8 @@ namespace {
 
 struct Entry : Ledger {
     using Ledger::Ledger;
+    static void *operator new(size_t bytes) { return TakeMemory(nullptr, bytes); }
+    static void operator delete(void *entry) { std::free(entry); }
     void Leave() { m_left = true; }
     WorldSign::Number sign = 0;
     uint32_t stepsOfFew = 0; ///< in a row began with fewer contacts than a ledger is kept for
@@ -91,8 +94,8 @@ Ledger *FindAndSignLedger(b2ContactManager *manager) {
 Ledger *MakeLedger(b2ContactManager *manager) {
     if (Ledger *ledger = FindLedger(manager))
         return ledger;
-    Entry *made = new (std::nothrow) Entry(manager);
-    if (made == nullptr || !WorldSign::Renew(manager, &made->sign)) {
+    auto *const made = new Entry(manager);
+    if (!WorldSign::Renew(manager, &made->sign)) {
         delete made;
         return nullptr;
     }

@@ -44,7 +44,7 @@ inline bool AnyLedger() {
 inline Ledger *FindLedger(const b2ContactManager *manager) {
     return AnyLedger() ? internal::FindLedgerOfSome(manager) : nullptr;
 }
-/// Makes it if need be; nullptr without memory, or where no sign is left.
+/// Makes it if need be; nullptr where no sign is left.
 Ledger *MakeLedger(b2ContactManager *manager);
 /// For a step that begins: makes it where there are contacts enough, and signs it. Gives it back where the
 /// world began many steps in a row with less than half as many: a world that goes to and fro about the limit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Memory that fails for the glue, and for this program's own code: shapes and the recorder answer and stay as
-// they were, Install refuses, and a step ends the program with a sentence.
+// they were, and all else ends the program with a sentence.
 #include <atomic>
 #include <csignal>
 #include <new>
@@ -12,7 +12,6 @@
 #include "boomerang/contact_recorder.h"
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
-#include "start/settings.h"
 
 // --- Memory that fails for the code that this is linked with: every call of malloc and of operator new in
 // there comes by here (the linker's --wrap). What Box2D and the C++ runtime ask for themselves does not. ---
@@ -136,25 +135,6 @@ struct CountingDraw : IdleDraw {
 
 } // namespace
 
-// The first case: what another one finds out about this Box2D stays known.
-TEST_CASE("Install without memory to find out which Box2D this is is refused, and says so") {
-    const std::string said = InChild([](Run &run) {
-        for (const uint64_t at : {uint64_t{0}, kNoFailure}) {
-            bool done = true;
-            const std::string line = StderrOf([&] {
-                failing_malloc::FailAt(at);
-                done = bmr::Install();
-                failing_malloc::FailAt(kNoFailure);
-            });
-            run.Print("%d %d %s", done, bmr::IsInstalled(), line.c_str());
-        }
-    });
-    // Refused once is refused for good.
-    CHECK(said ==
-          "0 0 boomerang: not at work, Box2D runs as it is: there is no memory to find out which Box2D "
-          "this is\n\n0 0 \n");
-}
-
 TEST_CASE("a shape without memory says so, stays as it was, and can be set once there is some") {
     std::vector<b2Vec2> points;
     {
@@ -248,7 +228,7 @@ TEST_CASE("what cannot be drawn whole for want of memory is drawn in pieces") {
     CHECK(less.polygons == 1 + 8); // 48 triangles, six to a piece
 }
 
-TEST_CASE("without memory for a step the program ends with a sentence") {
+TEST_CASE("without memory for its own tables the program ends with a sentence") {
     const std::string said = StderrOf([] {
         const pid_t child = fork();
         if (child == 0) {
@@ -263,22 +243,7 @@ TEST_CASE("without memory for a step the program ends with a sentence") {
         CHECK(WIFSIGNALED(status));
         CHECK(WTERMSIG(status) == SIGABRT);
     });
-    CHECK(said == "boomerang: there is no memory for a step of Box2D\n");
-}
-
-TEST_CASE(
-    "settings without memory for the table of compass are refused, and can be made once there is some") {
-    const std::string said = InChild([](Run &run) {
-        bmr::Options options;
-        options.pairsBy = BMR_LAZY_COMPASS;
-        for (const uint64_t at : {uint64_t{0}, kNoFailure}) {
-            failing_malloc::FailAt(at);
-            const bool made = bmr::MakeSettings(options);
-            failing_malloc::FailAt(kNoFailure);
-            run.Print("%d %d", made, bmr::GetSettings().compass != nullptr);
-        }
-    });
-    CHECK(said == "0 0\n1 1\n");
+    CHECK(said == "boomerang: there is no memory\n");
 }
 
 TEST_CASE("a recorder without memory loses events, and says how many") {

@@ -224,7 +224,7 @@ TEST_CASE("no certificate of a picture claims more than the exact distance") {
 
 TEST_CASE(
     "what two hulls say is apart is farther apart than the diagonal of the radii, and their gap is there") {
-    REQUIRE(bmr::MakeSettings(bmr::Options()));
+    bmr::MakeSettings(bmr::Options());
     Engine engine(33);
     Tally gaps;
     size_t apart = 0, wrong = 0, wrongIfMore = 0, beyond = 0;

@@ -225,7 +225,7 @@ b2PolygonShape CutNeedle(float side) {
 } // namespace
 
 TEST_CASE("a side too short for a direction: Box2D gives points far away, and no hull says apart") {
-    REQUIRE(bmr::MakeSettings(bmr::Options()));
+    bmr::MakeSettings(bmr::Options());
     for (const float side : {1e-8f, 1e-3f}) {
         CAPTURE(side);
         b2World world(b2Vec2(0.0f, 0.0f));
@@ -263,7 +263,7 @@ TEST_CASE("a side too short for a direction: Box2D gives points far away, and no
 }
 
 TEST_CASE("normals of other sides: Box2D gives points far away, and no hull says apart") {
-    REQUIRE(bmr::MakeSettings(bmr::Options()));
+    bmr::MakeSettings(bmr::Options());
     b2World world(b2Vec2(0.0f, 0.0f));
     b2BodyDef def;
     b2Body *a = world.CreateBody(&def), *b = world.CreateBody(&def);

@@ -89,9 +89,9 @@ struct Options {
 /// (contacts that exist already keep working as stock), and not while another thread is in b2World::Step. The
 /// environment (BOOMERANG, BOOMERANG_VERBOSE, ...; docs/is-it-for-my-game.md) overrides the options. Returns
 /// whether this call put the plugin to work. False at a second call, and if the mode is Off. It is also
-/// false, and Box2D runs as it is, if the plugin does not know the Box2D of this process, if Box2D does not
-/// call all functions that our passes replace (a small world is stepped to find out, about 0.1 ms), or if
-/// there is no memory: one line on stderr says which, once.
+/// false, and Box2D runs as it is, if the plugin does not know the Box2D of this process, or if Box2D does
+/// not call all functions that our passes replace (a small world is stepped to find out, about 0.1 ms): one
+/// line on stderr says which, once.
 BMR_BOX2D_API bool Install(const Options &options = Options());
 BMR_BOX2D_API bool IsInstalled();
 
