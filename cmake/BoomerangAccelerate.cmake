@@ -21,7 +21,7 @@ set(BOOMERANG_ACCELERATE_SOURCE "${BOOMERANG_ACCELERATE_SOURCE}" CACHE INTERNAL 
 set(_boomerang_signs
   "b2_contact_manager@Destroy(b2Contact@Destroy(cNuke)"
   "b2_distance@Set(const b2Shape@b2Distance(b2DistanceOutput"
-  "b2_world@::Solve(const b2TimeStep@::SolveTOI(const b2TimeStep@ b2TimeStep step@SolveTOI(step)@Solve(step)@island.SolveTOI(subStep@DestroyJoint(je0@b2World::~b2World()"
+  "b2_world@DestroyJoint(je0@b2World::~b2World()"
   CACHE INTERNAL "")
 
 # Box2D's files that define what hooks stand in front of, each with what must stand in it: "name.cpp@sign@...". (hook_list.h)
@@ -136,8 +136,6 @@ function(_boomerang_wrap_source target renaming name_out wrapper_out)
   set(renamed "${BOOMERANG_ACCELERATE_SOURCE}/plugin/renamed/${name}")
   file(CONFIGURE OUTPUT "${wrapper}" @ONLY CONTENT [[
 #define BMR_BOX2D_SOURCE "@path@"
-#define BMR_BOX2D_ISLAND "@dynamics@/b2_island.h"
-#define BMR_BOX2D_CONTACT_SOLVER "@dynamics@/b2_contact_solver.h"
 #include "@BOOMERANG_ACCELERATE_SOURCE@/box2d_glue/start/hook_list.h"
 #include "@renamed@"
 ]])
@@ -192,7 +190,6 @@ function(boomerang_accelerate)
 
   set(root "${BOOMERANG_ACCELERATE_SOURCE}")
   set(renamed "${root}/plugin/renamed")
-  get_filename_component(dynamics "${path}" DIRECTORY)
   _boomerang_read_hooks(renamed_files)
   foreach(renaming IN LISTS renamed_files)
     _boomerang_wrap_source(${target} "${renaming}" listed wrapper)

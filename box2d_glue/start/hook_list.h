@@ -23,10 +23,6 @@
     HOOK(Step, b2World::Step, _ZN7b2World4StepEfii, kHeard, void,                                            \
          (b2World * world, float timeStep, int32 velocityIterations, int32 positionIterations),              \
          world->BmrStockStep(timeStep, velocityIterations, positionIterations))                              \
-    HOOK(Solve, b2World::Solve, _ZN7b2World5SolveERK10b2TimeStep, kHeard, void,                              \
-         (b2World * world, const b2TimeStep &step), world->BmrStockSolve(step))                              \
-    HOOK(SolveToi, b2World::SolveTOI, _ZN7b2World8SolveTOIERK10b2TimeStep, kHeard, void,                     \
-         (b2World * world, const b2TimeStep &step), world->BmrStockSolveTOI(step))                           \
     HOOK(DrawShape, b2World::DrawShape, _ZN7b2World9DrawShapeEP9b2FixtureRK11b2TransformRK7b2Color, kAny,    \
          void, (b2World * world, b2Fixture * fixture, const b2Transform &xf, const b2Color &color),          \
          world->BmrStockDrawShape(fixture, xf, color))                                                       \
@@ -38,8 +34,6 @@
          (b2World * world, b2Body * body), world->BmrStockDestroyBody(body))
 
 #define BMR_HOOKS_OF_b2_contact_manager(HOOK)                                                                \
-    HOOK(Collide, b2ContactManager::Collide, _ZN16b2ContactManager7CollideEv, kHeard, void,                  \
-         (b2ContactManager * manager), manager->BmrStockCollide())                                           \
     HOOK(FindNewContacts, b2ContactManager::FindNewContacts, _ZN16b2ContactManager15FindNewContactsEv,       \
          kHeard, void, (b2ContactManager * manager), manager->BmrStockFindNewContacts())                     \
     HOOK(Destroy, b2ContactManager::Destroy, _ZN16b2ContactManager7DestroyEP9b2Contact, kHeard, void,        \

@@ -7,7 +7,6 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_joint.h>
 #include <box2d/b2_time_of_impact.h>
-#include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
 #include "base/rounding_mode.h"
@@ -74,23 +73,7 @@ void b2World::Step(float timeStep, int32 velocityIterations, int32 positionItera
         StepAsAsked(this, timeStep, velocityIterations, positionIterations);
 }
 
-// The parts of a step that is Box2D's. (RunStep calls the passes of one that is ours.) Install finds out
-// here that they are heard of.
-
-void b2ContactManager::Collide() {
-    PassesRun(HookOf::Collide);
-    stock::Collide(this);
-}
-
-void b2World::Solve(const b2TimeStep &step) {
-    PassesRun(HookOf::Solve);
-    stock::Solve(this, step);
-}
-
-void b2World::SolveTOI(const b2TimeStep &step) {
-    PassesRun(HookOf::SolveToi);
-    stock::SolveToi(this, step);
-}
+// The search for new pairs, and the boxes that it searches: in steps and outside of them, for every caller.
 
 void b2ContactManager::FindNewContacts() {
     if (PassesRun(HookOf::FindNewContacts))
@@ -98,8 +81,6 @@ void b2ContactManager::FindNewContacts() {
     else
         stock::FindNewContacts(this);
 }
-
-// The broad phase, in steps and outside of them, for every caller.
 
 namespace {
 

@@ -34,9 +34,10 @@ struct b2TOIInput;
 struct b2TOIOutput;
 
 /// @file
-/// Box2D's own functions, for the hooks that stand in front of them: `stock::Collide(manager)` is what
-/// `manager->Collide()` would be without us. A hook is an ordinary definition of Box2D's function, in hooks/.
-/// How calls get to it, and how a hook gets to what it stands in front of, is one of two ways:
+/// Box2D's own functions, for the hooks that stand in front of them: `stock::FindNewContacts(manager)` is
+/// what `manager->FindNewContacts()` would be without us. A hook is an ordinary definition of Box2D's
+/// function, in hooks/. How calls get to it, and how a hook gets to what it stands in front of, is one of two
+/// ways:
 ///
 /// - interposed: Box2D is a shared library, and this one stands ahead of it for the loader. What is asked for
 ///   here is looked up by name behind this library.

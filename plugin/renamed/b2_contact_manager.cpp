@@ -6,7 +6,6 @@
 #include "box2d/b2_fixture.h"
 #include "box2d/b2_world_callbacks.h"
 
-#define Collide BmrStockCollide
 #define FindNewContacts BmrStockFindNewContacts
 #define Destroy(parameter)                                                                                   \
     Destroy(parameter);                                                                                      \
@@ -20,7 +19,6 @@
 #define BMR_DESTROY_cNuke Destroy(cNuke
 #define BMR_DESTROY_c Destroy(c
 #include BMR_BOX2D_SOURCE
-#undef Collide
 #undef FindNewContacts
 #undef Destroy
 

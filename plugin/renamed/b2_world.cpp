@@ -9,26 +9,17 @@
 // laid out.
 //
 // Most functions are called from other files alone, and one `#define` renames them. Those that their own
-// source calls, too, keep their name in calls and get another one where they are defined. Two ways tell
-// calls from definitions:
-//
-//   - By the first word in parentheses. `#define Destroy(...) BMR_DESTROY_##__VA_ARGS__)` makes one name
-//     of it and of the word: the definition's is a type, a call's a variable. For each word that is known
-//     there is a definition of that name; a source with another word does not compile.
-//   - By overloading, where the first word will not do. The definition and the call have the new name;
-//     what the call passes is not what the definition takes, and fits an overload better that calls the
-//     hook.
+// source calls, too, keep their name in calls and get another one where they are defined. The first word in
+// parentheses tells them apart: `#define Destroy(...) BMR_DESTROY_##__VA_ARGS__)` makes one name of it and of
+// the word. The definition's is a type, a call's a variable. For each word that is known there is a
+// definition of that name; a source with another word does not compile.
 //
 // All is C++11, and compiled as the rest of Box2D is.
 //
 // In this file most functions are called from their own source:
 //
-//   DestroyJoint, SolveTOI, DrawShape   told apart by the first word
-//   the constructor, the destructor     likewise: the destructor has none, and becomes two functions
-//   Solve                               Step has a b2TimeStep that may be changed; the definition takes
-//                                       one that may not. (`&profile`, the word of b2Island::Solve,
-//                                       makes no name.)
-#include BMR_BOX2D_CONTACT_SOLVER
+//   DestroyJoint, DrawShape           told apart by the first word
+//   the constructor, the destructor   likewise: the destructor has none, and becomes two functions
 #include "box2d/b2_block_allocator.h"
 #include "box2d/b2_body.h"
 #include "box2d/b2_broad_phase.h"
@@ -53,36 +44,17 @@ void NoteWorldEnds(b2World *world);
 
 } // namespace bmr
 
-#define Solve(...)                                                                                           \
-    Solve(__VA_ARGS__);                                                                                      \
-    void BmrStockSolve(b2Profile *profile, const b2TimeStep &step, const b2Vec2 &gravity, bool allowSleep) { \
-        Solve(profile, step, gravity, allowSleep);                                                           \
-    }                                                                                                        \
-    struct BmrSolves
-#include BMR_BOX2D_ISLAND
-#undef Solve
-
 #define Step BmrStockStep
 #define CreateJoint BmrStockCreateJoint
 #define DestroyBody BmrStockDestroyBody
 #define ClearForces()                                                                                        \
     ClearForces();                                                                                           \
-    void BmrStockSolve(const b2TimeStep &step);                                                              \
-    void BmrStockSolve(b2TimeStep &step) {                                                                   \
-        Solve(step);                                                                                         \
-    }                                                                                                        \
-    void BmrStockSolveTOI(const b2TimeStep &step);                                                           \
     void BmrStockDrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color &color);                 \
     void BmrStockDestroyJoint(b2Joint *joint);                                                               \
     void BmrStockEnd()
 #include "box2d/b2_world.h"
 #undef ClearForces
 
-#define Solve BmrStockSolve
-#define SolveTOI(...) BMR_TOI_##__VA_ARGS__)
-#define BMR_TOI_const BmrStockSolveTOI(const
-#define BMR_TOI_step SolveTOI(step
-#define BMR_TOI_subStep SolveTOI(subStep
 #define DrawShape(...) BMR_DRAW_##__VA_ARGS__)
 #define BMR_DRAW_b2Fixture BmrStockDrawShape(b2Fixture
 #define BMR_DRAW_f DrawShape(f
@@ -101,8 +73,6 @@ void NoteWorldEnds(b2World *world);
 #undef Step
 #undef CreateJoint
 #undef DestroyBody
-#undef Solve
-#undef SolveTOI
 #undef DrawShape
 #undef DestroyJoint
 #undef b2World

@@ -34,8 +34,8 @@ refuses no_world 'the target does not compile b2_world.cpp'
 refuses no_fixture "$other: the target does not compile b2_fixture.cpp"
 refuses rope 'this is Box2D 2.4.0'
 refuses version3 'this is Box2D 3, which'
-refuses other_toi "$other: b2_world.cpp has no \"island.SolveTOI(subStep\""
-refuses other_collide "$other: b2_contact_manager.cpp has no \"b2ContactManager::Collide(\""
+refuses other_joint "$other: b2_world.cpp has no \"DestroyJoint(je0\""
+refuses other_pairs "$other: b2_contact_manager.cpp has no \"b2ContactManager::FindNewContacts(\""
 refuses generator 'b2_world.cpp is listed by a generator expression'
 # To the right sources nothing is missing but the language; and what was done once is not done again.
 refuses none 'the project needs the language C, too'
