@@ -206,7 +206,7 @@ AS_STOCK("a world that dies with contacts alive leaks nothing") {
             game.world.Step(1.0f / 60.0f, 8, 3);
         game.Stage(game.world.GetContactCount() > 5, "contacts alive");
     };
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 200; ++i)
         live();
     const int rounds = static_cast<int>(test_scaled(250));
     const auto liveAgain = [&] {
