@@ -13,7 +13,7 @@
 #include "boomerang/box2d_glue.h"
 #include "contacts/contact_life.h"
 #include "convex32/convex32_collide.h"
-#include "proofs/edge_memory.h"
+#include "proofs/overlap.h"
 #include "tell/event.h"
 
 namespace bmr {

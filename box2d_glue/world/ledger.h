@@ -19,10 +19,21 @@
 #include "world/marks.h"
 #include "world/movers.h"
 #include "world/owed_enabling.h"
-#include "world/pair_record.h"
 #include "world/proxy_pairs.h"
 
 namespace bmr {
+
+/// The bits of a pair.
+enum RecordBit : uint8_t {
+    kHasLine = 1,       ///< its line renews the deadline
+    kToBeFiltered = 2,  ///< Box2D has flagged it for filtering
+    kNoImpactProof = 4, ///< its budget says nothing of impacts
+};
+
+struct PairRecord {
+    uint32_t deadline; ///< core/budget: due once the sums of the two movers reach it
+    uint32_t a, b;     ///< movers of the contact's fixtures A and B
+};
 
 /// All that is remembered of a world's pairs: one record for each contact, the oldest first. Box2D puts new
 /// contacts at the head of its lists, so that the world's list and every body's are in descending order here.

@@ -39,7 +39,7 @@ inline bool AnyLedger() {
 }
 
 /// nullptr where it has none. A few loads for the world that the thread asked for last. If the world's memory
-/// was put back since the ledger was signed (world_sign.h), the ledger is dropped here, and none of its
+/// was put back since the ledger was signed, the ledger is dropped here, and none of its
 /// pointers is followed.
 inline Ledger *FindLedger(const b2ContactManager *manager) {
     return AnyLedger() ? internal::FindLedgerOfSome(manager) : nullptr;
@@ -50,7 +50,7 @@ Ledger *MakeLedger(b2ContactManager *manager);
 /// world began many steps in a row with less than half as many: a world that goes to and fro about the limit
 /// keeps it.
 Ledger *LedgerForStep(b2ContactManager *manager);
-/// The same as FindLedger, and gives world and ledger a new sign (world_sign.h): for steps that begin, and
+/// The same as FindLedger, and gives world and ledger a new sign: for steps that begin, and
 /// for contacts that end.
 Ledger *FindAndSignLedger(b2ContactManager *manager);
 /// A world without contacts has no ledger. It may be another world than before: a game may make a world in
