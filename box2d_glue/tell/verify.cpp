@@ -160,17 +160,16 @@ bool MakeByBox2D(const b2Contact &contact, b2Manifold *manifold) {
         return true;
     }
     b2EdgeShape link;
-    const auto *edge = static_cast<const b2EdgeShape *>(a.GetShape());
     switch (a.GetType()) {
     case b2Shape::e_polygon:
         b2CollidePolygons(manifold, static_cast<const b2PolygonShape *>(a.GetShape()), xfA, polygon, xfB);
         return true;
     case b2Shape::e_chain:
         static_cast<const b2ChainShape *>(a.GetShape())->GetChildEdge(&link, contact.GetChildIndexA());
-        edge = &link;
-        [[fallthrough]];
+        b2CollideEdgeAndPolygon(manifold, &link, xfA, polygon, xfB);
+        return true;
     case b2Shape::e_edge:
-        b2CollideEdgeAndPolygon(manifold, edge, xfA, polygon, xfB);
+        b2CollideEdgeAndPolygon(manifold, static_cast<const b2EdgeShape *>(a.GetShape()), xfA, polygon, xfB);
         return true;
     default:
         return false;
