@@ -190,17 +190,17 @@ TEST_CASE("a shape without memory says so, stays as it was, and can be set once 
             }
             unsigned char before[sizeof shape], after[sizeof shape];
             std::memcpy(before, static_cast<const void *>(&shape), sizeof shape);
-            const int64_t out = failing_malloc::Out();
+            const int64_t outBefore = failing_malloc::Out();
             failing_malloc::FailAt(failures);
             error = maker.make(&shape, points);
-            const bool failed = failing_malloc::Failed() > 0;
+            const bool failedOnce = failing_malloc::Failed() > 0;
             failing_malloc::FailAt(kNoFailure);
-            CHECK(error == (failed ? BMR_ERROR_NO_MEMORY : BMR_OK));
+            CHECK(error == (failedOnce ? BMR_ERROR_NO_MEMORY : BMR_OK));
             if (error == BMR_OK)
                 continue;
             std::memcpy(after, static_cast<const void *>(&shape), sizeof shape);
             CHECK(std::memcmp(before, after, sizeof shape) == 0);
-            CHECK(failing_malloc::Out() == out);
+            CHECK(failing_malloc::Out() == outBefore);
             CHECK(shape.GetVertexCount() == 30);
             CHECK(maker.make(&shape, points) == BMR_OK);
         }
@@ -272,13 +272,13 @@ TEST_CASE("a recorder without memory loses events, and says how many") {
     const int32 all = play(kNoFailure, &lost);
     REQUIRE(all > 100);
     REQUIRE(lost == 0);
-    const uint64_t asked = 12; // two rooms, and lists that grow
-    for (uint64_t fail = 0; fail < asked; ++fail) {
+    const uint64_t allAsked = 12; // two rooms, and lists that grow
+    for (uint64_t fail = 0; fail < allAsked; ++fail) {
         CAPTURE(fail);
-        const int64_t out = failing_malloc::Out();
+        const int64_t outBefore = failing_malloc::Out();
         lost = 0;
         CHECK(play(fail, &lost) == all);
         CHECK(lost > 0);
-        CHECK(failing_malloc::Out() == out);
+        CHECK(failing_malloc::Out() == outBefore);
     }
 }
