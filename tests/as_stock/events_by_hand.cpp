@@ -119,8 +119,9 @@ const Life kBig = {
     {{3.6f, 0.3f}, "lower"},
     {{3.6f, -0.3f}, "beneath its end", "contact push 0 0\n"},
     {{0.0f, -0.7f}, "below it", "contact push 0 0\n"},
-    {{0.0f, 0.7f}, "through it", "contact contact 0 0\n"}, // which a look does not follow
-    {{0.1f, 0.7f}, "along it", "contact leave 0 0\n"},
+    // A look does not follow so far; the proof that comes next starts anew.
+    {{0.0f, 0.7f}, "through it", "contact contact 0 0\ncontact leave 0 0\n"},
+    {{0.1f, 0.7f}, "along it"},
     {{4.1f, 0.0f}, "end to end", "contact coarsen 0 -1\n"},
     {{0.0f, 0.7f}, "above it", "contact stab -1 0\n"},
     {{0.0f, 0.59f}, "against it", "contact contact 0 0\n", 1},

@@ -8,6 +8,9 @@
 
 #include "as_stock.h"
 #include "cases.h"
+#if defined(IN_CHILD_ASAN)
+#    include <sanitizer/lsan_interface.h>
+#endif
 #include "start/recognise.h"
 
 namespace {
@@ -42,8 +45,12 @@ template <typename Function> Function *Real(const char *name) {
     return reinterpret_cast<Function *>(dlsym(RTLD_NEXT, name));
 }
 
+/// A process asks once. Here the next world lies where one that is not to be trusted with its own end stays.
 std::string Why(Oddity odd) {
     oddity = odd;
+#if defined(IN_CHILD_ASAN)
+    const __lsan::ScopedDisabler notLost;
+#endif
     const char *why = bmr::WhyBox2DIsUnknown();
     oddity = Oddity::kNone;
     return why != nullptr ? why : "";
