@@ -23,8 +23,8 @@
 
 namespace testbed {
 
-// --- What a world of many bodies begins with: a scene's name, what may be chosen about it, and the bodies that
-// come of that, placed so that no two disks meet.
+// --- What a world of many bodies begins with: a scene's name, what may be chosen about it, and the bodies
+// that come of that, placed so that no two disks meet.
 
 /// A choice that no world can be made of; says what would do.
 class WorldChoiceError : public std::runtime_error {
