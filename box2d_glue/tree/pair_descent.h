@@ -139,9 +139,8 @@ private:
                 if (first.begin < first.end)
                     waiting.Push(first);
             }
-            if (visit.begin == visit.end)
-                continue;
-            Take(visit);
+            if (visit.begin < visit.end)
+                Take(visit);
         }
         return m_single || m_numbers;
     }

@@ -383,8 +383,8 @@ constexpr uint64_t kLook = 3;             ///< the table brings a contact up to 
 constexpr uint64_t kMover = 1;            ///< the table follows a fixture
 constexpr uint64_t kSleepersPerUnit = 4;  ///< Box2D's loop passes over contacts
 constexpr uint64_t kSearchesPerUnit = 16; ///< for each impact Box2D passes over contacts once more
-/// Islands and the first search for impacts walk the list, too. Up to so many contacts are in the processor's
-/// caches then, and four cost what one costs beyond.
+/// Islands and the first search for impacts walk Box2D's list, too. That costs half a unit for each contact.
+/// A world of more contacts than this does not stay in the processor's caches, and the walks cost two units.
 constexpr uint64_t kPairsInCache = 4096;
 constexpr uint32_t kPassesToTry = 8, kStepsToRest = 256;
 

@@ -193,7 +193,7 @@ void PictureSeries::ReadRange() {
                          std::to_string(kMost) + ", not \"" + m_request.frames + "\"");
     m_first = first;
     m_every = every;
-    m_last = last - (last - first) % every; // nobody looks at what comes after the last picture
+    m_last = last - (last - first) % every; // steps after the last picture are left out
 }
 
 void PictureSeries::CheckLast(const std::string &name, int64_t last) const {

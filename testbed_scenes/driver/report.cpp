@@ -180,8 +180,7 @@ SceneTable TestTable() {
         },
         {
             "contacts: pairs whose fat boxes overlap, mean per step; polygon tests: b2CollidePolygons; "
-            "apart: "
-            "no point found",
+            "apart: no point found",
             "TOI calls: b2TimeOfImpact; saved: of the tests that found stock's pairs apart, those that a "
             "certificate answered",
         }};
@@ -202,8 +201,7 @@ SceneTable BudgetTable() {
         },
         {
             "pairs: contacts of bodies that are awake; renewed: by their own line, whose shapes and contact "
-            "nobody "
-            "read",
+            "nobody read",
             "looks: whose contact or shapes were read; of all others nothing but a deadline was",
             "events: certificates made, replaced and given up; %: of the pairs",
         }};

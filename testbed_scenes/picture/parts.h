@@ -53,7 +53,8 @@ constexpr double kTextSize = 13.0, kSmallText = 12.0;
 /// Slack as colour, logarithmic, the same in all pictures so that they compare: less than twice Box2D's slop
 /// is about to touch, more than the largest bodies' size is far away.
 constexpr double kLeastSlack = 0.01, kMostSlack = 10.0;
-/// Bright yellow for little, blue for much: told apart by brightness too, whatever one's sight.
+/// Bright yellow for little slack, dark blue for much. The brightness differs, too, so people who do not see
+/// these colours tell them apart.
 Colour ColourOfSlack(double slack);
 /// "0.124 m"; of a kinetic world, whose lengths have no unit, "0.124".
 std::string LengthText(double length, bool kinetic);

@@ -45,7 +45,7 @@ private:
     std::unique_ptr<bmr_chains, Deleter> m_chains[BMR_HIERARCHY_KIND_COUNT];
 };
 
-/// What is wrong with a file that somebody wrote: "motion.txt, line 3: ...".
+/// A file of the user's cannot be read; says where and why: "motion.txt, line 3: ...".
 class FileError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

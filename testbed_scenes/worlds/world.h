@@ -107,7 +107,7 @@ public:
     using ContactHandler = std::function<void(const bmr_contact &)>;
     using EventHandler = std::function<void(const bmr_world_event &)>;
 
-    /// The handlers may be empty. `onContact` is told of each contact before it is answered.
+    /// The handlers may be empty. The world calls `onContact` for each contact, before it answers it.
     explicit WorldRun(const WorldSetup &setup, ContactHandler onContact = {}, EventHandler onEvent = {});
     WorldRun(const WorldRun &) = delete;
     WorldRun &operator=(const WorldRun &) = delete;
@@ -168,7 +168,7 @@ constexpr double kOverlapTolerance = 1e-7;
 /// Knows nothing of the world's cells or certificates. O(bodies^2) looks at disks.
 OverlapCheck CheckOverlaps(const WorldRun &run, const WorldSetup &setup);
 
-/// What a run of a kinetic world is told to do beside its choice.
+/// Options of Measure that do not change the world.
 struct MeasureOptions {
     bool check = false; ///< CheckOverlaps at the end
     bool audit = false; ///< bmr_world_audit some times in the run, and at the end

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What pictures show of a pair is a proof that anybody can check, and looking at it changes nothing.
+// A picture shows a pair's certificate. The certificate proves the pair apart, by exact arithmetic, and
+// reading it changes nothing.
 #include <cstring>
 #include <set>
 
