@@ -228,7 +228,8 @@ function(boomerang_accelerate)
   file(GLOB core "${root}/core/geometry/*.c" "${root}/core/hierarchy/*.c" "${root}/core/certificate/*.c" "${root}/core/pair/*.c"
     "${root}/core/kds/*.c" "${root}/core/budget/*.c" "${root}/core/exact32/*.c" "${root}/core/convex32/*.c"
     "${root}/core/outline/*.c")
-  file(GLOB glue "${root}/box2d_glue/*/*.cpp" "${root}/box2d_glue/recorder/record/*.cpp" "${root}/plugin/hooks/*.cpp" "${renamed}/start.cpp")
+  file(GLOB glue "${root}/box2d_glue/*/*.cpp" "${root}/box2d_glue/glue/*/*.cpp"
+    "${root}/box2d_glue/recorder/record/*.cpp" "${root}/plugin/hooks/*.cpp" "${renamed}/start.cpp")
   add_library(${ours} OBJECT ${core} ${glue})
   # The warnings of the project are for its own sources. (-Wa, -Wl and -Wp are no warnings.)
   get_target_property(inherited ${ours} COMPILE_OPTIONS)

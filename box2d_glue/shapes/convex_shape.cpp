@@ -12,7 +12,7 @@
 #include <box2d/b2_collision.h>
 
 #include "base/rounding_mode.h"
-#include "contacts/contact_register.h"
+#include "glue/contacts/contact_register.h"
 #include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"

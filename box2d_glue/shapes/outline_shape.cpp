@@ -8,8 +8,8 @@
 #include <box2d/b2_world.h>
 
 #include "base/rounding_mode.h"
-#include "contacts/contact_register.h"
 #include "geometry/memory.h"
+#include "glue/contacts/contact_register.h"
 #include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/outline_record.h"

@@ -25,8 +25,8 @@ bool HasSideWithoutDirection(const b2PolygonShape &polygon) {
 /// Are its normals those of its sides? b2CollidePolygons goes by normals, a hull by vertices: of normals that
 /// are others the face that Box2D clips against may be any, and keeps points however far off they are.
 /// b2PolygonShape::Set tilts them by 2.2 units, and the product here is off by 3 more. Vertices that were
-/// turned and moved after their normals are off by the rounding of their place. proofs/README.md has what
-/// that costs.
+/// turned and moved after their normals are off by the rounding of their place. glue/proofs/README.md has
+/// what that costs.
 bool HasNormalsOfItsSides(const b2PolygonShape &polygon) {
     constexpr float kUnit = 0.5f * b2_epsilon;
     constexpr float kTilt = 8.0f * kUnit, kLength = 16.0f * kUnit, kRounding = 8.0f * kUnit;

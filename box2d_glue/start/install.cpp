@@ -6,12 +6,12 @@
 
 #include "base/rounding_mode.h"
 #include "boomerang/box2d_glue.h"
-#include "contacts/contact_register.h"
+#include "debug/exit_line.h"
+#include "debug/verify.h"
+#include "glue/contacts/contact_register.h"
 #include "start/process.h"
 #include "start/recognise.h"
 #include "start/settings.h"
-#include "tell/exit_line.h"
-#include "tell/verify.h"
 
 namespace bmr {
 

@@ -7,10 +7,10 @@
 #include <cstdlib>
 
 #include "base/memory.h"
-#include "proofs/hull.h"
-#include "proofs/thresholds.h"
-#include "tell/event.h"
-#include "tell/exit_line.h"
+#include "debug/event.h"
+#include "debug/exit_line.h"
+#include "glue/proofs/hull.h"
+#include "glue/proofs/thresholds.h"
 
 namespace bmr {
 

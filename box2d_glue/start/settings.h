@@ -10,8 +10,8 @@
 #include "base/compiler.h"
 #include "boomerang/box2d_glue.h"
 #include "boomerang/pair.h"
+#include "debug/counts.h"
 #include "start/hook_list.h"
-#include "tell/counts.h"
 
 namespace bmr {
 

@@ -11,21 +11,21 @@
 
 #include "base/rounding_mode.h"
 #include "boomerang/box2d_glue.h"
-#include "contacts/solid_contact.h"
+#include "debug/exit_line.h"
+#include "glue/contacts/solid_contact.h"
+#include "glue/find_pairs.h"
+#include "glue/pairs/pair_table.h"
+#include "glue/pairs/pair_tables.h"
+#include "glue/proofs/convex_distance.h"
+#include "glue/step.h"
 #include "hooks/start.h"
 #include "hooks/stock.h"
-#include "passes/find_pairs.h"
-#include "passes/step.h"
-#include "proofs/convex_distance.h"
 #include "shapes/convex_draw.h"
 #include "shapes/convex_geometry.h"
 #include "start/current_step.h"
 #include "start/settings.h"
-#include "tell/exit_line.h"
 #include "tree/fixture_boxes.h"
 #include "tree/proxies.h"
-#include "world/ledger.h"
-#include "world/ledgers.h"
 
 using namespace bmr;
 

@@ -5,12 +5,12 @@
 #include <cstdlib>
 
 #include "boomerang/box2d.h"
+#include "debug/exit_line.h"
 #include "interposed/loader.h"
 #include "start/install.h"
 #include "start/process.h"
 #include "start/recognise.h"
 #include "start/settings.h"
-#include "tell/exit_line.h"
 
 static_assert(sizeof(bmr_pair) == 64, "a pair is one cache line"); // as its header promises
 

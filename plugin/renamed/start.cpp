@@ -4,10 +4,10 @@
 #include "hooks/start.h"
 
 #include "boomerang/box2d.h"
+#include "debug/exit_line.h"
 #include "hooks/stock.h"
 #include "start/box2d_asserts.h"
 #include "start/install.h"
-#include "tell/exit_line.h"
 
 namespace bmr {
 

@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <boomerang/box2d.h>
 
+#include "debug/event.h"
+#include "debug/inspect.h"
 #include "stage.h"
-#include "tell/event.h"
-#include "tell/inspect.h"
 
 namespace testbed {
 namespace {

@@ -7,7 +7,7 @@
 #include "as_stock.h"
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
-#include "tell/inspect.h"
+#include "debug/inspect.h"
 
 using namespace as_stock;
 using bmr::internal::Inspect, bmr::internal::InspectHull, bmr::internal::kHullLevel, bmr::internal::Proof;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The traps that Box2D lays for whoever keeps state about its bodies: shapes and poses that change
 // unannounced.
-#include "tell/inspect.h"
+#include "debug/inspect.h"
 #include "yard.h"
 
 using namespace as_stock;

@@ -7,7 +7,7 @@
 
 #include "boomerang/convex_shape.h"
 #include "boomerang/outline_shape.h"
-#include "tell/inspect.h"
+#include "debug/inspect.h"
 #include "vertex_arrays.h"
 
 using namespace contracts;

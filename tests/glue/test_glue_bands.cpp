@@ -4,7 +4,7 @@
 #include <box2d/box2d.h>
 
 #include "cases.h"
-#include "world/movers.h"
+#include "glue/pairs/fixture_motion.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "boomerang/convex_shape.h"
 #include "cases.h"
-#include "proofs/convex_distance.h"
+#include "glue/proofs/convex_distance.h"
 
 namespace {
 

@@ -9,14 +9,14 @@
 #include "boomerang/box2d_glue.h"
 #include "box2d_shapes.h"
 #include "cases.h"
+#include "debug/inspect.h"
 #include "exact_polygons.h"
-#include "proofs/overlap.h"
-#include "proofs/sweep_apart.h"
-#include "proofs/thresholds.h"
+#include "glue/pairs/hull_pairs.h"
+#include "glue/proofs/overlap.h"
+#include "glue/proofs/sweep_apart.h"
+#include "glue/proofs/thresholds.h"
 #include "start/settings.h"
-#include "tell/inspect.h"
 #include "test_scale.h"
-#include "world/hull_pairs.h"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
 #include "cases.h"
-#include "proofs/overlap.h"
+#include "glue/proofs/overlap.h"
 #include "test_scale.h"
 
 extern B2_API int32 b2_gjkMaxIters;

@@ -5,7 +5,7 @@
 
 #include "boomerang/contact_recorder.h"
 #include "cases.h"
-#include "passes/contact_access.h"
+#include "glue/contact_access.h"
 #include "small_world.h"
 
 namespace {

@@ -2,16 +2,16 @@
 // What Box2D's three tests are really off by, from the origin to 10 km and at angles to a million radians:
 // random poses about the threshold, and from each a climb towards larger errors. Within the reach the largest
 // must stay below what thresholds.h leaves; beyond, it is recorded, and the glue must not answer.
-// box2d_glue/proofs/thresholds.md has a table of a long run.
+// box2d_glue/glue/proofs/thresholds.md has a table of a long run.
 #include <box2d/b2_distance.h>
 #include <box2d/b2_time_of_impact.h>
 
 #include "box2d_shapes.h"
 #include "cases.h"
 #include "exact_polygons.h"
-#include "proofs/overlap.h"
-#include "proofs/sweep_apart.h"
-#include "proofs/thresholds.h"
+#include "glue/proofs/overlap.h"
+#include "glue/proofs/sweep_apart.h"
+#include "glue/proofs/thresholds.h"
 #include "test_scale.h"
 
 extern B2_API int32 b2_gjkMaxIters;

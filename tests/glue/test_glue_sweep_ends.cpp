@@ -6,8 +6,8 @@
 
 #include "base/private_members.h"
 #include "cases.h"
-#include "world/ledger.h"
-#include "world/movers.h"
+#include "glue/pairs/fixture_motion.h"
+#include "glue/pairs/pair_table.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 
 #include "box2d_shapes.h"
 #include "cases.h"
-#include "proofs/sweep_apart.h"
-#include "proofs/thresholds.h"
+#include "glue/proofs/sweep_apart.h"
+#include "glue/proofs/thresholds.h"
 #include "test_scale.h"
 
 extern B2_API int32 b2_gjkMaxIters;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The thresholds re-derived (box2d_glue/proofs/thresholds.md) by interval arithmetic: what Box2D's float
+// The thresholds re-derived (box2d_glue/glue/proofs/thresholds.md) by interval arithmetic: what Box2D's float
 // arithmetic, and the glue's own, may be off by, for all rotations and directions at once, is no more than
 // thresholds.h leaves.
 //
@@ -7,8 +7,8 @@
 // the sizes, so it is sublinear in them, f(x + y) <= f(x) + f(y) and f(k x) = k f(x), and what is left for it
 // is linear. So the corners of the sizes' range decide.
 #include "cases.h"
+#include "glue/proofs/thresholds.h"
 #include "interval.h"
-#include "proofs/thresholds.h"
 
 namespace {
 

@@ -5,10 +5,10 @@
 
 #include "box2d_shapes.h"
 #include "cases.h"
-#include "proofs/thresholds.h"
+#include "glue/pairs/hull_pairs.h"
+#include "glue/proofs/thresholds.h"
 #include "start/settings.h"
 #include "test_scale.h"
-#include "world/hull_pairs.h"
 
 namespace {
 

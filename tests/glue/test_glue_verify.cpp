@@ -3,7 +3,7 @@
 // first.
 #include "as_stock.h"
 #include "base/private_members.h"
-#include "tell/verify.h"
+#include "debug/verify.h"
 
 using namespace as_stock;
 

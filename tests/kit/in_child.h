@@ -11,8 +11,8 @@
 
 #include "boomerang/box2d_glue.h"
 #include "cases.h"
+#include "debug/event.h"
 #include "leave.h"
-#include "tell/event.h"
 
 #if defined(__has_feature)
 #    if __has_feature(address_sanitizer)

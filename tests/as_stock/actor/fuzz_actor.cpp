@@ -20,10 +20,10 @@
 #include <unistd.h>
 
 #include "actor.h"
+#include "debug/event.h"
 #include "harness.h"
 #include "plugin.h"
 #include "serving.h"
-#include "tell/event.h"
 
 #if defined(BOOMERANG_FUZZ_POISON)
 #    include <sanitizer/common_interface_defs.h>

@@ -7,7 +7,7 @@
 
 #include <boomerang/box2d.h>
 
-#include "tell/inspect.h"
+#include "debug/inspect.h"
 
 namespace actor {
 

@@ -6,8 +6,8 @@
 #include <boomerang/box2d.h>
 
 #include "any_size.h"
+#include "debug/event.h"
 #include "program.h"
-#include "tell/event.h"
 
 namespace threads {
 

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_SOLID_CONTACT_H
+#define BOOMERANG_GLUE_SOLID_CONTACT_H
+
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+
+#include "boomerang/box2d_glue.h"
+#include "convex32/convex32_collide.h"
+#include "debug/event.h"
+#include "glue/contacts/contact_life.h"
+#include "glue/proofs/overlap.h"
+
+namespace bmr {
+
+/// Our data of a contact, besides Box2D's: 16 bytes at most, for which Box2D's 224-byte block has room.
+struct ContactState {
+    Life life;
+    union {
+        EdgeMemory edge;             ///< of a PolygonContact
+        bmr_convex32_memory closest; ///< of a ConvexContact
+    };
+};
+static_assert(sizeof(ContactState) <= 16);
+
+/// The base of our contacts that the ledger knows: PolygonContact and ConvexContact. (EdgeContact is none.)
+class SolidContact : public b2Contact {
+public:
+    /// `contact` as one of ours, or nullptr: contacts that were born before the register knew us, and other
+    /// shapes', are not.
+    static SolidContact *AsOurs(b2Contact *contact) {
+        const void *vtable = VtableOf(*contact);
+        return vtable == polygonVtable.load(std::memory_order_relaxed) ||
+                       vtable == convexVtable.load(std::memory_order_relaxed)
+                   ? static_cast<SolidContact *>(contact)
+                   : nullptr;
+    }
+
+    static const SolidContact *AsOurs(const b2Contact *contact) {
+        return AsOurs(const_cast<b2Contact *>(contact));
+    }
+
+    // b2ContactManager may do this with any contact. Our code in its place needs these functions.
+    static bool WantsFiltering(const b2Contact &contact) { return (FlagsOf(contact) & e_filterFlag) != 0; }
+    static void FilteringIsDone(b2Contact *contact) {
+        contact->*(&SolidContact::m_flags) &= ~uint32{e_filterFlag};
+    }
+
+    /// Are both shapes polygons, of any size?
+    bool IsOfPolygons() const {
+        return m_fixtureA->GetType() == b2Shape::e_polygon && m_fixtureB->GetType() == b2Shape::e_polygon;
+    }
+
+    float RadiusSum() const { return m_fixtureA->GetShape()->m_radius + m_fixtureB->GetShape()->m_radius; }
+
+    /// Makes the manifold anew, without impulses, of two fixtures that are no sensors. `old` is what it was,
+    /// unless the contact did not touch (`touched`) and does not now.
+    virtual void MakeManifold(bool touched, b2Manifold *old) = 0;
+
+    /// The direction that this contact remembers itself, in the world, from A to B. Zero if there is none.
+    virtual bmr_vec2 KnownDirection() const = 0;
+    /// A direction, in the world, from A to B, that most likely keeps the two apart: it was remembered at the
+    /// last look, by the bodies' structure if it keeps them apart. Zero if there is none. For polygons alone.
+    bmr_vec2 GuessDirection() const;
+
+    /// Takes the result of a look into the contact's life, and reports the event, if it is one. Call it if
+    /// Options::statistics is on, for a contact of polygons.
+    void Live(Held held);
+    /// The same of a contact that was handed over, and of which the ledger now has a line.
+    void LeaveByLine();
+    /// The same of a sensor's contact, behind its update by Box2D. `before`: GuessDirection() from ahead of
+    /// it.
+    void LiveAsSensor(bmr_vec2 before);
+
+    /// An object's table of virtual functions, which tells contacts apart. Games build Box2D without run-time
+    /// type information too, where typeid has nothing to look at; but the table is always an object's first
+    /// word, on every ABI that Box2D runs on.
+    static const void *VtableOf(const b2Contact &contact) {
+        const void *vtable;
+        std::memcpy(&vtable, static_cast<const void *>(&contact), sizeof vtable);
+        return vtable;
+    }
+
+    ContactState state;
+
+protected:
+    SolidContact() : state() {}
+    SolidContact(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB)
+        : b2Contact(fixtureA, indexA, fixtureB, indexB), state() {}
+
+    /// Of the two classes, from before the first contact of each is made; nullptr until then.
+    static std::atomic<const void *> polygonVtable, convexVtable;
+
+    /// With Options::pairsBy, for two solid polygons: does the structure of their bodies prove them apart at
+    /// these poses?
+    bool HullsSayApart(const b2Transform &xfA, const b2Transform &xfB) const;
+
+    /// Evaluate was called: not by a pass of ours, but by Box2D or by the game. The contact's record in the
+    /// ledger is due.
+    void IsLookedAtByOthers() const;
+
+private:
+    static uint32 FlagsOf(const b2Contact &contact) { return contact.*(&SolidContact::m_flags); }
+};
+
+/// The same of any contact, for impacts: the normal that the two touch along, or what is remembered of two
+/// polygons. Of unit length, or zero.
+bmr_vec32 GuessDirection(const b2Contact &contact);
+
+static_assert(sizeof(SolidContact) <= 224, "must stay in the block class of a stock contact");
+
+} // namespace bmr
+
+#endif

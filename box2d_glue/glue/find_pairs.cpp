@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "glue/find_pairs.h"
+
+#include <box2d/b2_broad_phase.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_contact_manager.h>
+#include <box2d/b2_fixture.h>
+
+#include "base/private_members.h"
+#include "debug/verify.h"
+#include "glue/contact_access.h"
+#include "glue/pairs/pair_table.h"
+#include "glue/pairs/pair_tables.h"
+#include "start/settings.h"
+#include "tree/pair_descent.h"
+
+namespace bmr {
+
+namespace {
+
+/// A contact that is being made.
+struct NewContact : b2Contact {
+    /// nullptr where Box2D has no contacts of these shapes.
+    static b2Contact *Create(const b2FixtureProxy &a, const b2FixtureProxy &b, b2BlockAllocator *allocator) {
+        return b2Contact::Create(a.fixture, a.childIndex, b.fixture, b.childIndex, allocator);
+    }
+
+    /// Is there one already? By a walk over the body's list, as Box2D does it.
+    static bool ExistsInList(const b2FixtureProxy &a, const b2FixtureProxy &b) {
+        const b2ContactEdge *edge = b.fixture->GetBody()->GetContactList();
+        while (edge != nullptr && !Joins(*edge, a, b))
+            edge = edge->next;
+        return edge != nullptr;
+    }
+
+    /// Puts it at the head of the world's list.
+    static void Link(b2Contact *contact, b2Contact **list) {
+        contact->*(&NewContact::m_next) = *list;
+        if (*list != nullptr)
+            *list->*(&NewContact::m_prev) = contact;
+        *list = contact;
+    }
+
+    /// Puts it at the head of its bodies' lists.
+    static void Join(b2Contact *contact) {
+        b2Body *bodyA = contact->GetFixtureA()->GetBody(), *bodyB = contact->GetFixtureB()->GetBody();
+        Attach(&(contact->*(&NewContact::m_nodeA)), contact, bodyA, bodyB);
+        Attach(&(contact->*(&NewContact::m_nodeB)), contact, bodyB, bodyA);
+    }
+
+private:
+    static bool Joins(const b2ContactEdge &edge, const b2FixtureProxy &a, const b2FixtureProxy &b) {
+        if (edge.other != a.fixture->GetBody())
+            return false;
+        const b2Contact &c = *edge.contact;
+        return (c.GetFixtureA() == a.fixture && c.GetFixtureB() == b.fixture &&
+                c.GetChildIndexA() == a.childIndex && c.GetChildIndexB() == b.childIndex) ||
+               (c.GetFixtureA() == b.fixture && c.GetFixtureB() == a.fixture &&
+                c.GetChildIndexA() == b.childIndex && c.GetChildIndexB() == a.childIndex);
+    }
+
+    static void Attach(b2ContactEdge *edge, b2Contact *contact, b2Body *body, b2Body *other) {
+        b2ContactEdge *&list = body->*Named(ContactList());
+        *edge = {other, contact, nullptr, list};
+        if (list != nullptr)
+            list->prev = edge;
+        list = edge;
+    }
+};
+
+/// The client for which b2BroadPhase::UpdatePairs is instantiated.
+class PairFinder {
+public:
+    explicit PairFinder(b2ContactManager *manager)
+        : m_manager(manager), m_ledger(FollowedLedger()), m_ownPairs(IsOfGame(manager->m_contactFilter)) {}
+
+    /// Are pairs of two fixtures of one body found, too? Only if a game could see that they are left out: a
+    /// filter of its own may step this world in the middle of the loop. Box2D then goes on in the newer
+    /// pairs, at the place that it had reached in the older ones.
+    bool FindsOwnPairs() const { return m_ownPairs; }
+
+    /// Makes a contact of the pair, unless there is one already.
+    void Report(const b2FixtureProxy &a, const b2FixtureProxy &b) {
+        if ((m_ownPairs && a.fixture->GetBody() == b.fixture->GetBody()) || Exists(a, b))
+            return;
+        const bool ofGame = IsOfGame(m_manager->m_contactFilter);
+        if (ofGame)
+            BeforeGame(m_manager);
+        const bool passes = PassesFilters(m_manager, a.fixture, b.fixture);
+        if (ofGame)
+            m_ledger = FollowedLedger(); // the world may have left the one before
+        if (!passes)
+            return;
+        b2Contact *contact = NewContact::Create(a, b, m_manager->m_allocator);
+        if (contact == nullptr)
+            return;
+        NewContact::Link(contact, &m_manager->m_contactList);
+        NewContact::Join(contact);
+        ++m_manager->m_contactCount;
+        if (m_ledger != nullptr || m_manager->m_contactCount == WorthALedgerAnyway())
+            m_ledger = FollowedLedger();
+    }
+
+private:
+    /// The world's ledger with all of its contacts; nullptr where it has none.
+    Ledger *FollowedLedger() const {
+        Ledger *ledger =
+            m_manager->m_contactCount >= WorthALedgerAnyway() ? MakeLedger(m_manager) : FindLedger(m_manager);
+        return ledger != nullptr && (ledger->IsWhole() || ledger->CatchUp()) ? ledger : nullptr;
+    }
+
+    bool Exists(const b2FixtureProxy &a, const b2FixtureProxy &b) const {
+        // A filter may have made or ended contacts, where the world is not locked.
+        if (m_ledger == nullptr || m_ledger->GetProxyPairs().HasUnknown() || !m_ledger->IsWhole())
+            return NewContact::ExistsInList(a, b);
+        const bool exists = m_ledger->GetProxyPairs().Exists(a.proxyId, b.proxyId);
+        if (Verifying())
+            VerifyExists(*a.fixture, *b.fixture, exists, NewContact::ExistsInList(a, b));
+        return exists;
+    }
+
+    b2ContactManager *m_manager;
+    Ledger *m_ledger;
+    bool m_ownPairs; ///< see FindsOwnPairs
+};
+
+} // namespace
+
+} // namespace bmr
+
+/// The broad phase's own buffer of pairs is used. It is Box2D's to grow: a game may have built Box2D with an
+/// allocator of its own, and this library with another one. b2BroadPhase::QueryCallback grows it, in putting
+/// in the next pair.
+template <> void b2BroadPhase::UpdatePairs(bmr::PairFinder *finder) {
+    m_pairCount = 0;
+    const auto keep = [this](int32 proxy, int32 leaf) {
+        if (m_pairCount == m_pairCapacity) {
+            m_queryProxyId = proxy;
+            QueryCallback(leaf);
+            return;
+        }
+        m_pairBuffer[m_pairCount++] = {b2Min(proxy, leaf), b2Max(proxy, leaf)};
+    };
+    bmr::tree::DescentRoom ownRoom;
+    bmr::tree::DescentRoom *const kept = bmr::PerThread<bmr::tree::DescentRoom>();
+    bmr::tree::PairDescent(m_tree, finder->FindsOwnPairs(), kept != nullptr ? kept : &ownRoom, keep)
+        .Run(m_moveBuffer, m_moveCount);
+    if (bmr::Verifying())
+        bmr::VerifyPairs(m_tree, m_moveBuffer, m_moveCount, m_pairBuffer, m_pairCount,
+                         finder->FindsOwnPairs());
+    for (int32 i = 0; i < m_pairCount; ++i) {
+        const b2Pair pair = m_pairBuffer[i];
+        finder->Report(*static_cast<const b2FixtureProxy *>(m_tree.GetUserData(pair.proxyIdA)),
+                       *static_cast<const b2FixtureProxy *>(m_tree.GetUserData(pair.proxyIdB)));
+    }
+    for (int32 i = 0; i < m_moveCount; ++i)
+        if (m_moveBuffer[i] != e_nullProxy)
+            m_tree.ClearMoved(m_moveBuffer[i]);
+    m_moveCount = 0;
+}
+
+namespace bmr {
+
+void FindNewContacts(b2ContactManager *manager) {
+    DropLedgerOfEmpty(manager);
+    PairFinder finder(manager);
+    manager->m_broadPhase.UpdatePairs(&finder);
+    if (Ledger *ledger = FindLedger(manager))
+        ledger->CatchUp();
+}
+
+} // namespace bmr

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#include "glue/islands.h"
+
+#include <chrono>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_joint.h>
+
+#include "glue/contact_access.h"
+#include "start/box2d_asserts.h"
+#include "start/current_step.h"
+#include "start/settings.h"
+
+namespace bmr {
+
+namespace {
+
+constexpr uint32_t kNoLink = 0x7fffffffu;
+// With more of them the links cost what they save.
+constexpr uint32_t kMostTouchingOf = 3;
+
+bool MayBeSeed(const b2Body *body) {
+    return !BodyInIsland::Is(body) && body->IsAwake() && body->IsEnabled() &&
+           body->GetType() != b2_staticBody;
+}
+
+/// The number of the body's first link, with kLinked, until the body is in an island. Otherwise it is the
+/// place that the body had in its last island, which Box2D's gear reads.
+int32 &LinkOf(b2Body *body) {
+    return body->*Named(IslandIndex());
+}
+
+constexpr int32 kLinked = 1 << 30;  ///< this bit is set where LinkOf is the number of a link
+constexpr int32 kSlept = INT32_MIN; ///< and this one where the body slept when contacts were linked
+
+} // namespace
+
+IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
+    : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
+      m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
+      m_marks(m_manager), m_room(solver->Room()), m_newest(m_manager->m_contactList),
+      m_contactCount(m_manager->m_contactCount), m_latest(LatestStep()) {
+    if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
+        m_listener = nullptr;
+    if (m_ledger != nullptr && (!m_ledger->IsLookedAtIn(CurrentStep()) || !m_ledger->IsWhole()))
+        m_ledger = nullptr;
+    if (m_ledger != nullptr)
+        m_pass.emplace(m_ledger);
+}
+
+void IslandPass::Run() {
+    b2Profile &profile = m_world->*Named(Profile());
+    profile.solveInit = profile.solveVelocity = profile.solvePosition = 0.0f;
+    ClearFlags();
+    if (m_ledger != nullptr)
+        m_isLinked = m_mayLink && Link();
+    SolveIslands(&profile);
+    const auto start = std::chrono::steady_clock::now();
+    Synchronize();
+    m_manager->FindNewContacts();
+    profile.broadphase =
+        std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (m_pass.has_value())
+        m_pass->Complete();
+}
+
+void IslandPass::SolveIslands(b2Profile *profile) {
+    m_solver->Begin(m_step, m_listener, m_mayLink && !IsOfGame(m_listener));
+    for (b2Body *seed = FirstSeed(); seed != nullptr; seed = NextSeed(seed))
+        if (MayBeSeed(seed))
+            BuildIsland(seed);
+    m_solver->Finish(profile);
+}
+
+void IslandPass::ClearFlags() {
+    bool hasGear = false;
+    for (b2Joint *joint = m_world->GetJointList(); joint != nullptr; joint = joint->GetNext()) {
+        joint->*Named(JointInIsland()) = false;
+        hasGear = hasGear || joint->GetType() == e_gearJoint;
+    }
+    m_mayLink = !hasGear;
+    // (Where Bodies finds who is awake it has put all bodies out of islands.)
+    m_awakeAlone = m_ledger != nullptr && m_mayLink &&
+                   m_ledger->GetBodies().Follow(m_world->GetBodyList(), m_world->GetBodyCount()) &&
+                   m_ledger->GetBodies().FindAwake();
+    for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
+         body = body->GetNext()) {
+        BodyInIsland::Clear(body);
+        LinkOf(body) &= ~(kSlept | kLinked); // Box2D sets no place when it makes a body
+        if (m_mayLink && body->GetType() != b2_staticBody && !body->IsAwake())
+            LinkOf(body) |= kSlept;
+    }
+    for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
+        LinkOf(m_ledger->GetBodies().Awake(i)) &= ~(kSlept | kLinked);
+    if (m_ledger != nullptr) {
+        m_ledger->TakeMarks();
+        m_ledger->GetMarks().inIsland.ClearAll();
+    } else {
+        for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext())
+            m_marks.TakeOutOfIsland(contact);
+    }
+}
+
+// Links.
+
+/// False where it does not pay: islands are built from the lists of bodies.
+bool IslandPass::Link() {
+    const uint32_t most = m_ledger->Count() / kMostTouchingOf;
+    Column<uint32_t> &touching = m_room.touching;
+    uint32_t count = 0;
+    for (uint32_t word = m_ledger->Count() / 64 + 1; word-- > 0;) {
+        uint64_t left = m_ledger->TouchingOf(word);
+        if (!GameRan()) // or the game may have woken who is not watched
+            left &= m_ledger->WatchedOf(word);
+        const uint32_t more = CountBits(left);
+        if (count + more > most)
+            return false;
+        touching.Reserve(count + more);
+        for (; left != 0; left &= ~(uint64_t{1} << HighestBit(left)))
+            touching[count++] = word * 64 + HighestBit(left);
+    }
+    m_room.links.Reserve(2 * count + 1);
+    while (count-- > 0) { // from the oldest on, each at the head of its lists, as when they were made
+        b2Contact *const contact = m_ledger->Contact(touching[count]);
+        b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
+        LinkTo(a, contact, b);
+        LinkTo(b, contact, a);
+    }
+    return true;
+}
+
+void IslandPass::LinkTo(b2Body *body, b2Contact *contact, b2Body *other) {
+    if (body->GetType() == b2_staticBody || !body->IsAwake())
+        return;
+    const int32 before = LinkOf(body);
+    const bool isHead = (before & kLinked) != 0;
+    const uint32_t head = isHead ? static_cast<uint32_t>(before & ~kLinked) : kNoLink;
+    m_room.links[m_linkCount] = {contact, body, other, head, isHead ? m_room.links[head].place : before};
+    LinkOf(body) = static_cast<int32>(m_linkCount++) | kLinked;
+}
+
+// Islands.
+
+b2Body *IslandPass::FirstSeed() {
+    m_seedsAreAwake = m_awakeAlone && m_ledger != nullptr;
+    if (!m_seedsAreAwake)
+        return m_world->GetBodyList();
+    return m_ledger->GetBodies().AwakeCount() > 0 ? m_ledger->GetBodies().Awake(0) : nullptr;
+}
+
+b2Body *IslandPass::NextSeed(const b2Body *seed) {
+    if (!m_seedsAreAwake)
+        return seed->*Named(NextBody());
+    return ++m_seed < m_ledger->GetBodies().AwakeCount() ? m_ledger->GetBodies().Awake(m_seed) : nullptr;
+}
+
+void IslandPass::BuildIsland(b2Body *seed) {
+    Push(seed);
+    while (m_stackCount > 0)
+        Take(m_room.stack[--m_stackCount]);
+    SolveIsland();
+}
+
+void IslandPass::Push(b2Body *body) {
+    BodyInIsland::Set(body);
+    m_room.stack[m_stackCount++] = body;
+}
+
+/// The next body of the island. Islands do not go on across static bodies.
+void IslandPass::Take(b2Body *body) {
+    BMR_BOX2D_ASSERTS(body->IsEnabled(), "b->IsEnabled() == true");
+    const int32 first = LinkOf(body);
+    MakeRoom();
+    m_solver->Add(body);
+    if (body->GetType() == b2_staticBody)
+        return;
+    const bool wasAwake = body->IsAwake();
+    if (!wasAwake)
+        WakeInIsland(body);
+    if (m_isLinked && wasAwake && (first & kSlept) == 0)
+        for (uint32_t at = (first & kLinked) != 0 ? static_cast<uint32_t>(first & ~kLinked) : kNoLink;
+             at != kNoLink; at = m_room.links[at].next)
+            Take(m_room.links[at].contact, m_room.links[at].other);
+    else
+        for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
+            Take(edge->contact, edge->other);
+    TakeJoints(body);
+}
+
+/// (Its time asleep goes on.)
+void IslandPass::WakeInIsland(b2Body *body) {
+    uint16 &flags = body->*Named(BodyFlags());
+    flags = static_cast<uint16>(flags | BodyInIsland::kAwake);
+    m_awakeAlone = false;
+    if (m_ledger != nullptr)
+        m_ledger->WatchPairsOf(body);
+}
+
+void IslandPass::Take(b2Contact *contact, b2Body *other) {
+    if (m_marks.IsInIsland(contact) || !contact->IsEnabled() || !contact->IsTouching() ||
+        contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor())
+        return;
+    MakeRoom();
+    m_solver->Add(contact);
+    m_marks.PutInIsland(contact);
+    if (!BodyInIsland::Is(other))
+        Push(other);
+}
+
+void IslandPass::TakeJoints(const b2Body *body) {
+    for (const b2JointEdge *edge = body->GetJointList(); edge != nullptr; edge = edge->next) {
+        if (edge->joint->*Named(JointInIsland()) || !edge->other->IsEnabled())
+            continue;
+        MakeRoom();
+        m_solver->Add(edge->joint);
+        edge->joint->*Named(JointInIsland()) = true;
+        if (!BodyInIsland::Is(edge->other))
+            Push(edge->other);
+    }
+}
+
+/// Code of the game may have unlocked the world by a step inside this one, and have made more since.
+void IslandPass::MakeRoom() {
+    if (m_gameStepped)
+        m_solver->Reserve(m_solver->BodyCount() + m_stackCount + 2, m_solver->ContactCount() + 1,
+                          static_cast<uint32_t>(m_world->GetJointCount()));
+}
+
+void IslandPass::SolveIsland() {
+    for (uint32_t i = 0; i < m_solver->BodyCount(); ++i)
+        if (m_solver->Body(i)->GetType() == b2_staticBody)
+            BodyInIsland::Clear(m_solver->Body(i)); // it may be in other islands, too
+    const bool tells = IsOfGame(m_listener) && m_solver->ContactCount() > 0;
+    if (tells && !m_tells)
+        BeforeGame(m_manager);
+    m_tells = m_tells || tells;
+    m_solver->Solve(m_world->GetGravity(), m_world->GetAllowSleeping());
+    if (!tells)
+        return;
+    AfterGame();
+}
+
+/// The listener's PostSolve was called, and may have woken bodies. If the pass began with the bodies that
+/// were awake, nothing marks a sleeper's links as too few: none is followed from here on. Otherwise they
+/// hold, unless PostSolve made a step inside this one, or ended or made contacts. (Such a step unlocks the
+/// world, also if another thread makes it; not if an exception ends it.)
+void IslandPass::AfterGame() {
+    const bool stepped = !m_world->IsLocked() || LatestStep() != m_latest ||
+                         m_manager->m_contactList != m_newest || m_manager->m_contactCount != m_contactCount;
+    m_isLinked = m_isLinked && !m_seedsAreAwake && !stepped;
+    m_seedsAreAwake = m_awakeAlone = false;
+    m_gameStepped = m_gameStepped || stepped;
+    m_tells = !stepped;
+    if (!stepped)
+        return;
+    if (m_ledger != nullptr && m_ledger->WasLeft())
+        m_ledger = nullptr;
+    m_marks.LookAgain();
+    for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext())
+        PutPlaceBack(body); // there may be a gear by now
+}
+
+// Behind the islands.
+
+/// Boxes follow the bodies that were in islands, in Box2D's order.
+void IslandPass::Synchronize() {
+    if (m_ledger != nullptr)
+        m_ledger->GetBodies().SetAlone(m_awakeAlone ? CurrentStep() : 0);
+    for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
+         body = body->GetNext()) {
+        PutPlaceBack(body);
+        Follow(body);
+    }
+    for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
+        Follow(m_ledger->GetBodies().Awake(i));
+}
+
+/// Of a body that is in no island: it slept, or PostSolve put it to sleep ahead of its island.
+void IslandPass::PutPlaceBack(b2Body *body) {
+    if (body->GetType() == b2_staticBody)
+        return;
+    int32 &place = LinkOf(body);
+    place &= ~kSlept;
+    if ((place & kLinked) == 0)
+        return;
+    place &= ~kLinked;
+    if (const auto link = static_cast<uint32_t>(place); link < m_linkCount && m_room.links[link].body == body)
+        place = m_room.links[link].place;
+}
+
+void IslandPass::Follow(b2Body *body) {
+    if (!BodyInIsland::Is(body) || body->GetType() == b2_staticBody)
+        return;
+    (body->*Named(SynchronizeFixtures()))();
+    if (m_ledger != nullptr && !body->IsAwake())
+        m_ledger->Owed().EnableOfSleeper(body);
+}
+
+} // namespace bmr

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_GLUE_MOVERS_H
+#define BOOMERANG_GLUE_MOVERS_H
+
+#include <cstddef>
+#include <cstdint>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_broad_phase.h>
+#include <box2d/b2_fixture.h>
+
+#include "base/column.h"
+#include "base/compiler.h"
+#include "base/key_table.h"
+#include "boomerang/budget.h"
+#include "glue/proofs/thresholds.h"
+
+namespace bmr {
+
+/// Sweeps of times of impact have budgets within this distance of the origin, in band 0 (kBandReach): in band
+/// k within 2^k times as much. And up to kImpactAngle.
+constexpr float kImpactReach = 256.0f * b2_lengthUnitsPerMeter, kImpactAngle = 500.0f;
+
+/// Budgets count in these (core/budget): 2^-16 of a metre.
+constexpr double kUnits = 65536.0 / static_cast<double>(b2_lengthUnitsPerMeter);
+
+/// A fixture as it was at the last look, and how far it has moved, for all its contacts. One row a fixture
+/// that has contacts. As long as no contact of it has a proof that it may end, only its body's flags are
+/// read.
+///
+/// A game does most things without a call that we could see: it moves and wakes bodies and makes them bullets
+/// by inline functions, and writes to vertices and radii in place. So a row holds what the last look read,
+/// and the next look compares.
+struct alignas(64) Mover {
+    // A renewal reads these two cache lines. The second one has what is compared in the middle of a pass.
+    bmr_mover motion;
+    b2AABB box;     ///< the fat one of its proxy
+    float radius;   ///< skin
+    float shortest; ///< length of the shortest side; 0 if it is not known
+    uint64_t shape; ///< a digest of all that contacts read of the shape; see LookAtShape
+    const b2Body *body;
+    const b2Fixture *fixture;
+    uint32_t records; ///< contacts of it
+    uint32_t proved;  ///< contacts that have a line
+    uint32_t watched; ///< of these, the ones of which one body at least is awake
+
+    // A look compares and writes these, too.
+    int32 proxy;       ///< b2BroadPhase::e_nullProxy where it has none or several: then there is no box here
+    b2Transform place; ///< of the body, at the last look
+    bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
+    uint8_t
+        band; ///< how far out it is (glue/proofs/thresholds.h): as far as this, or less; kBands: beyond all
+    uint32_t late;    ///< units that were added in the middle of the present pass
+    uint64_t sweptAt; ///< the ledger's count of looks when its sweep had its last one
+    uint64_t endedAt; ///< the same for how far that may come
+};
+static_assert(sizeof(void *) < 8 || (offsetof(Mover, place) == 128 && sizeof(Mover) == 192),
+              "three cache lines");
+
+/// The bits of a row that the loop over pairs reads.
+enum MoverBit : uint8_t {
+    kActive = 1,   ///< its body is awake, and not static
+    kStops = 2,    ///< its body is a bullet, or not dynamic: nothing is to tunnel through it
+    kIsSensor = 4, ///< as the fixture says
+    kPlain = 8,    ///< no budget for its contacts: no polygon, a broken one, or farther out than all bands
+    kChanged =
+        16, ///< another shape than at the look before, or another band: lines of its pairs prove nothing
+    kChangedLate = 32, ///< the same, seen in the middle of a pass: to be said again in the next one
+    kLookedAt = 64     ///< since the last pass over pairs began
+};
+
+/// The rows of one world. Rows are numbered; a number is used again when the last contact of a fixture is
+/// gone.
+class Movers {
+public:
+    /// The row of this fixture, made if there is none. Counts one contact more.
+    uint32_t Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint64_t look);
+    /// One contact less; the last one frees the row.
+    void Release(uint32_t row);
+    void Clear();
+
+    /// Compares the row with what its fixture and body are now: sums, bits, box. Marks it if all its contacts
+    /// are to be looked at.
+    void Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, bool late);
+    /// The same for a row that was looked at in this pass, of a world that was locked ever since: Box2D then
+    /// refuses to move bodies, and nothing changes their boxes. What a game still can change is compared, a
+    /// third of a look. False if that has changed: then look.
+    bool ConfirmAsBefore(uint32_t row, uint64_t look);
+    /// A contact of the row gets a line. With the first one the row is read in full, and what it finds is no
+    /// motion.
+    void AddProof(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look) {
+        if (m_rows[row].proved == 0)
+            Begin(row, broadPhase, look);
+        ++m_rows[row].proved;
+    }
+    void DropProof(uint32_t row) { --m_rows[row].proved; }
+    /// Sets SweepBits.
+    void LookAtSweep(uint32_t row, uint64_t look) {
+        if (m_rows[row].sweptAt != look)
+            FindSweepBits(row, look);
+    }
+    void LookAtAllSweeps(uint64_t look);
+    /// Reads the flags of sweeps anew, from this row on up to one that has others than before; kNone where
+    /// there is none.
+    uint32_t NextNewSweep(uint32_t row);
+    /// Sets End: how far the row can come in the sweep of its body. The world is the one, and in the step, of
+    /// the last look, and was locked ever since. `careful`: code of the game ran, and the shape is compared.
+    void LookAtEnd(uint32_t row, bool careful, uint64_t look) {
+        if (m_rows[row].endedAt != look)
+            FindEnd(row, careful, look);
+    }
+
+    /// Code of the game moved or changed a row so often in the middle of a pass that sums may wrap before all
+    /// pairs were asked: every pair is due.
+    bool AreSumsLost() const { return m_sumsLost; }
+    void ForgetSums() { m_sumsLost = false; }
+    /// Has a row kStops that it had not at its look before? Since this was asked last.
+    bool TakeNewStops() {
+        const bool taken = m_newStops;
+        m_newStops = false;
+        return taken;
+    }
+
+    /// The margin for rounding of a pair of these two rows, as far out as they are.
+    double RoundingMargin(uint32_t a, uint32_t b) const { return BandMargin(Band(a, b)); }
+    /// The farther one's.
+    int Band(uint32_t a, uint32_t b) const { return b2Max(m_rows[a].band, m_rows[b].band); }
+
+    static constexpr uint32_t kNone = 0xffffffffu;
+    /// Rows are numbered below this; some may be free (records == 0).
+    uint32_t Count() const { return m_count; }
+
+    Mover &operator[](uint32_t row) { return m_rows[row]; }
+    const Mover &operator[](uint32_t row) const { return m_rows[row]; }
+    uint32_t Moved(uint32_t row) const { return m_moved[row]; }
+    /// kActive, kStops and kIsSensor when its sweep was looked at.
+    uint8_t SweepBits(uint32_t row) const { return m_sweepBits[row]; }
+    /// Moved, and what the sweep may add.
+    uint32_t End(uint32_t row) const { return m_ends[row]; }
+    /// The ledger's count of looks when this row had its last one.
+    uint64_t LookedAt(uint32_t row) const { return m_lookedAt[row]; }
+    uint8_t Bits(uint32_t row) const { return m_bits[row]; }
+    void SetBits(uint32_t row, uint8_t bits) { m_bits[row] = bits; }
+    /// A pass begins that does not look at this row.
+    void PassOver(uint32_t row) { m_bits[row] &= static_cast<uint8_t>(~kLookedAt); }
+    bool IsActive(uint32_t row) const { return (m_bits[row] & kActive) != 0; }
+    /// Is its body awake by now? (A step's own code and listeners wake bodies.)
+    bool IsActiveNow(uint32_t row) const {
+        const b2Body *body = m_rows[row].body;
+        return body->IsAwake() && body->GetType() != b2_staticBody;
+    }
+    /// Ahead of a look: asks memory for the body and the fixture; and, for a row that this was done for some
+    /// rows ago, for the shape.
+    void Prefetch(uint32_t row) const {
+        if (row >= m_count || m_rows[row].records == 0)
+            return;
+        BMR_PREFETCH(m_rows[row].body);
+        BMR_PREFETCH(m_rows[row].fixture);
+    }
+    void PrefetchBody(uint32_t row) const {
+        if (row < m_count)
+            BMR_PREFETCH(m_rows[row].body);
+    }
+    void PrefetchShape(uint32_t row) const {
+        constexpr uintptr_t kLine = 64;
+        if (row >= m_count || m_rows[row].proved == 0)
+            return;
+        const uintptr_t shape = reinterpret_cast<uintptr_t>(m_rows[row].fixture->GetShape());
+        for (uintptr_t line = 0; line < 3; ++line)
+            BMR_PREFETCH(
+                reinterpret_cast<const void *>(shape + line * kLine)); // NOLINT(performance-no-int-to-ptr)
+    }
+
+private:
+    void FindSweepBits(uint32_t row, uint64_t look);
+    void FindEnd(uint32_t row, bool careful, uint64_t look);
+    void Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look);
+    bool LookAtShape(Mover *mover, uint8_t *bits) const;
+    static bool ChangesBand(Mover *mover, uint8_t *bits);
+    void Mark(uint32_t row);
+
+    Column<Mover> m_rows;
+    Column<uint32_t> m_moved, m_ends;
+    Column<uint64_t> m_lookedAt;
+    Column<uint8_t> m_bits, m_sweepBits;
+    Column<uint16_t> m_changeable; ///< see NextNewSweep
+    KeyTable m_byFixture;
+    bool m_sumsLost = false, m_newStops = false;
+    uint32_t m_count = 0, m_free = kNone;
+};
+
+} // namespace bmr
+
+#endif

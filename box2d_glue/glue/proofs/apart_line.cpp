@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "glue/proofs/apart_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <box2d/b2_polygon_shape.h>
+
+#include "glue/contacts/solid_contact.h"
+#include "glue/pairs/pair_table.h"
+#include "glue/proofs/thresholds.h"
+#include "shapes/convex_geometry.h"
+#include "shapes/shapes32.h"
+#include "start/current_step.h"
+#include "start/settings.h"
+
+namespace bmr {
+
+static_assert(static_cast<double>(kBandReach) <= kReach && kImpactReach <= kSweepReach &&
+                  kImpactAngle <= kSweepAngle,
+              "the margins hold wherever a pair of band 0 has a budget");
+
+namespace {
+
+/// A polygon in the world, in double.
+struct Placed {
+    const b2PolygonShape *shape;
+    const bmr_convex32_block *big; ///< nullptr: a small one
+    bmr_pose pose;
+    double reach;
+
+    explicit Placed(const Mover &mover) : Placed(*mover.fixture, mover.motion.reach) {}
+    Placed(const b2Fixture &fixture, double reachOfVertices)
+        : shape(static_cast<const b2PolygonShape *>(fixture.GetShape())),
+          big(AnyBigPolygon() ? BigPolygonOf(*shape) : nullptr), reach(reachOfVertices) {
+        const b2Transform &xf = fixture.GetBody()->GetTransform();
+        pose = {{static_cast<double>(xf.p.x), static_cast<double>(xf.p.y)},
+                static_cast<double>(xf.q.c),
+                static_cast<double>(xf.q.s)};
+    }
+
+    /// The largest <d, v> of a point, in the world, and the point. Of a big polygon the vertex may be the
+    /// wrong one of two that are as far along to rounding, which `slack` covers.
+    bmr_vec2 Farthest(bmr_vec2 d, double *slack) const {
+        const bmr_vec2 local = bmr_unrotate(&pose, d);
+        if (big != nullptr) {
+            const uint32_t at = bmr_convex32_support(
+                &big->polygon, {static_cast<float>(local.x), static_cast<float>(local.y)});
+            *slack += reach * 0x1p-20;
+            return bmr_transform(&pose, Vertex(big->polygon.vertices[at]));
+        }
+        const bmr_vec32 *const vertices = Vectors32(shape->m_vertices);
+        int32 best = 0;
+        double most = bmr_dot(local, Vertex(vertices[0]));
+        for (int32 i = 1; i < shape->m_count; ++i) {
+            const double along = bmr_dot(local, Vertex(vertices[i]));
+            if (along > most) {
+                most = along;
+                best = i;
+            }
+        }
+        return bmr_transform(&pose, Vertex(vertices[best]));
+    }
+
+    /// Somewhere in the middle of a small one, in the world.
+    bmr_vec2 Middle() const {
+        const bmr_vec32 *const vertices = Vectors32(shape->m_vertices);
+        return bmr_transform(
+            &pose, bmr_scale(0.5, bmr_add(Vertex(vertices[0]), Vertex(vertices[shape->m_count / 2]))));
+    }
+
+private:
+    static bmr_vec2 Vertex(const bmr_vec32 &v) {
+        return {static_cast<double>(v.x), static_cast<double>(v.y)};
+    }
+};
+
+/// How far apart two are along a direction: <d, b - a> >= gap for all their points.
+struct Gap {
+    bmr_vec2 d;
+    double gap;
+    bmr_vec2 between; ///< from a's point that is farthest along d to b's that is least far
+};
+
+Gap GapAlong(const Placed &a, const Placed &b, bmr_vec2 d) {
+    // Coordinates are those of the last band at most, so the rounding of doubles is far below this.
+    constexpr double kRounding = 1e-9 * static_cast<double>(b2_lengthUnitsPerMeter);
+    double slack = kRounding;
+    const bmr_vec2 from = a.Farthest(d, &slack), to = b.Farthest(bmr_neg(d), &slack);
+    const bmr_vec2 between = bmr_sub(to, from);
+    return {d, bmr_dot(d, between) - slack, between};
+}
+
+/// Of unit length; false of nothing and of what is no number.
+bool Normalize(bmr_vec2 *d) {
+    const double length = std::sqrt(bmr_dot(*d, *d));
+    if (!(length > 1e-12 && length < 1e12))
+        return false;
+    *d = bmr_scale(1.0 / length, *d);
+    return true;
+}
+
+/// How far a vertex may be from its body's origin.
+double ReachOf(const Mover &mover) {
+    return mover.motion.reach + std::fabs(mover.motion.pivot.x) + std::fabs(mover.motion.pivot.y);
+}
+
+/// By how much b2TimeOfImpact's arithmetic may be off, for one of the two and for coordinates up to
+/// `farthest` (glue/proofs/sweep_apart.cpp has the same for the coordinates of a step).
+double ImpactRounding(const Mover &mover, double farthest) {
+    return static_cast<double>(kUnit) *
+           (static_cast<double>(kErrorPerCoordinate) * farthest +
+            static_cast<double>(kErrorPerReach) * ReachOf(mover) +
+            static_cast<double>(kErrorPerAngle * kImpactAngle) * mover.motion.reach);
+}
+double ImpactTilt(const Mover &mover, double farthest) {
+    return static_cast<double>(kUnit) * (static_cast<double>(kTiltPerCoordinate) * farthest +
+                                         static_cast<double>(kTiltPerReach) * ReachOf(mover));
+}
+
+/// Does a distance of `threshold` keep b2TimeOfImpact from finding the two touching, as far out as
+/// kImpactReach of `band`?
+bool KeepsFromImpact(const Mover &a, const Mover &b, int band, double threshold) {
+    const double farthest = std::ldexp(static_cast<double>(kImpactReach), band);
+    if (!(a.shortest >= kShortestSide && b.shortest >= kShortestSide))
+        return false; // and of big polygons, whose sides are not measured
+    const double lever = 1.0 + 2.0 * std::max(a.motion.reach / static_cast<double>(b.shortest),
+                                              b.motion.reach / static_cast<double>(a.shortest));
+    const auto impact = static_cast<double>(ImpactDistance(a.radius + b.radius));
+    const double tilt = ImpactTilt(a, farthest) + ImpactTilt(b, farthest) + static_cast<double>(kTiltAlways) +
+                        static_cast<double>(kUnit * kTiltPerDistance) * impact;
+    return impact * (1.0 + static_cast<double>(kUnit * kErrorPerDistance)) + ImpactRounding(a, farthest) +
+               ImpactRounding(b, farthest) + tilt * lever <
+           threshold;
+}
+
+} // namespace
+
+double ApartThreshold(const Ledger &ledger, uint32_t record) {
+    const Ledger::Record &at = ledger.At(record);
+    const Movers &movers = ledger.GetMovers();
+    return ContactMargin(static_cast<double>(movers[at.a].radius + movers[at.b].radius),
+                         movers.RoundingMargin(at.a, at.b));
+}
+
+/// How far a fixture's body most likely carries its points in a step of this length.
+static double ExpectedMotion(const Mover &mover) {
+    constexpr double kUnknownReach = 0.5 * static_cast<double>(b2_lengthUnitsPerMeter);
+    const b2Vec2 &v = mover.body->GetLinearVelocity();
+    const double reach = mover.motion.reach > 0.0 ? mover.motion.reach : kUnknownReach;
+    return static_cast<double>(CurrentTimeStep()) *
+           (static_cast<double>(b2Abs(v.x) + b2Abs(v.y)) +
+            static_cast<double>(b2Abs(mover.body->GetAngularVelocity())) * reach);
+}
+
+namespace {
+
+/// Begins a proof; false, and the record is due, where none is worth it. `soon`: how much is to be left
+/// beyond it.
+bool BeginProof(Ledger *ledger, uint32_t record, double *soon) {
+    constexpr double kFatBoxes = 6.0 * static_cast<double>(b2_aabbExtension);
+    *soon = 2.0 * (ExpectedMotion(ledger->GetMovers()[ledger->At(record).a]) +
+                   ExpectedMotion(ledger->GetMovers()[ledger->At(record).b]));
+    if (*soon <= kFatBoxes && ledger->BeginProof(record))
+        return true;
+    ledger->SetDue(record);
+    return false;
+}
+
+/// How deep the vertex of one that reaches farthest towards the other's middle lies in that; both small. Less
+/// than 0 where it is outside.
+double DepthOf(const Placed &owner, const Placed &other) {
+    const auto vector = [](const b2Vec2 &v) {
+        return bmr_vec2{static_cast<double>(v.x), static_cast<double>(v.y)};
+    };
+    double none = 0.0;
+    const bmr_vec2 vertex = owner.Farthest(bmr_sub(other.Middle(), owner.Middle()), &none);
+    const bmr_vec2 p = bmr_unrotate(&other.pose, bmr_sub(vertex, other.pose.position));
+    double depth = static_cast<double>(b2_maxFloat);
+    for (int32 i = 0, count = other.shape->m_count; i < count; ++i) {
+        const bmr_vec2 start = vector(other.shape->m_vertices[i]),
+                       end = vector(other.shape->m_vertices[i + 1 < count ? i + 1 : 0]);
+        bmr_vec2 side = bmr_sub(end, start);
+        if (!Normalize(&side))
+            return -1.0;
+        depth = std::min(depth, bmr_cross(side, bmr_sub(p, start)));
+    }
+    return depth;
+}
+
+} // namespace
+
+void ProveOverlap(Ledger *ledger, uint32_t record) {
+    double soon;
+    if (!BeginProof(ledger, record, &soon))
+        return;
+    const Placed a(ledger->GetMovers()[ledger->At(record).a]), b(ledger->GetMovers()[ledger->At(record).b]);
+    const double depth = a.big != nullptr || b.big != nullptr ? -1.0 : std::max(DepthOf(a, b), DepthOf(b, a));
+    const Movers &movers = ledger->GetMovers();
+    const Ledger::Record &at = ledger->At(record);
+    const double margin =
+        movers.RoundingMargin(at.a, at.b) +
+        static_cast<double>(2.0f * kUnit * kErrorPerReach) * (ReachOf(movers[at.a]) + ReachOf(movers[at.b]));
+    // Of deep overlaps b2Distance says up to its rounding, which the skins must cover.
+    const double skins = static_cast<double>(movers[at.a].radius) + static_cast<double>(movers[at.b].radius);
+    if (depth > margin + soon && skins >= margin)
+        ledger->Prove(record, {0.0, 0.0}, depth, margin, false);
+    else
+        ledger->SetDue(record);
+}
+
+void ProveApart(Ledger *ledger, uint32_t record, SolidContact *contact) {
+    double soon;
+    if (!BeginProof(ledger, record, &soon))
+        return;
+    const Mover &moverA = ledger->GetMovers()[ledger->At(record).a],
+                &moverB = ledger->GetMovers()[ledger->At(record).b];
+    const Placed a(moverA), b(moverB);
+    const double threshold = ApartThreshold(*ledger, record);
+    bmr_vec2 d = contact->GuessDirection();
+    if (!Normalize(&d)) {
+        d = bmr_sub(moverB.motion.center, moverA.motion.center);
+        if (!Normalize(&d)) {
+            ledger->SetDue(record);
+            return;
+        }
+    }
+    Gap best = GapAlong(a, b, d);
+    bmr_vec2 closer = best.between;
+    // Where two corners face each other, or the guess is old, the line between what was found says more.
+    const double length = std::sqrt(bmr_dot(closer, closer));
+    if (length > threshold + soon && best.gap < 0.95 * length && Normalize(&closer)) {
+        const Gap other = GapAlong(a, b, closer);
+        if (other.gap > best.gap)
+            best = other;
+    }
+    if (!(best.gap > threshold + soon)) {
+        ledger->SetDue(record);
+        return;
+    }
+    const int band = ledger->GetMovers().Band(ledger->At(record).a, ledger->At(record).b);
+    ledger->Prove(record, best.d, best.gap, threshold, KeepsFromImpact(moverA, moverB, band, threshold));
+    if (GetSettings().options.statistics)
+        contact->LeaveByLine();
+}
+
+bool SeparatesAlong(const b2Fixture &a, const b2Fixture &b, bmr_vec2 d) {
+    const Placed placed[2] = {Placed(a, 0.0), Placed(b, 0.0)};
+    constexpr int32 kLeast = 3; // a polygon that was never Set has fewer
+    return placed[0].shape->m_count >= kLeast && placed[1].shape->m_count >= kLeast && Normalize(&d) &&
+           GapAlong(placed[0], placed[1], d).gap > 0.0;
+}
+
+} // namespace bmr

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "glue/proofs/sweep_apart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <box2d/b2_distance.h>
+#include <box2d/b2_time_of_impact.h>
+
+#include "glue/proofs/thresholds.h"
+#include "shapes/shapes32.h"
+
+namespace bmr {
+
+namespace {
+
+float LargestCoordinate(const b2Vec2 &a, const b2Vec2 &b) {
+    return std::max(std::max(std::fabs(a.x), std::fabs(a.y)), std::max(std::fabs(b.x), std::fabs(b.y)));
+}
+
+} // namespace
+
+SweptShape Sweep(const b2DistanceProxy &proxy, const b2Sweep &sweep, const b2Rot &rotation) {
+    SweptShape swept;
+    swept.radius = proxy.m_radius;
+    swept.tilt = 0.0f;
+    swept.rounding = std::numeric_limits<float>::infinity();
+    if (proxy.m_count < 1 || proxy.m_count > BMR_SWEPT32_MOST) {
+        swept.points = {};
+        return swept;
+    }
+    bmr_motion32 motion;
+    motion.center = *Vectors32(&sweep.localCenter);
+    motion.start = *Vectors32(&sweep.c0);
+    motion.end = *Vectors32(&sweep.c);
+    motion.s = rotation.s;
+    motion.c = rotation.c;
+    motion.turn = sweep.a - sweep.a0;
+    bmr_swept32_make(&swept.points, Vectors32(proxy.m_vertices), proxy.m_count, &motion);
+    const float coordinate = LargestCoordinate(sweep.c0, sweep.c) + swept.points.radius;
+    const float angle = std::max(std::fabs(sweep.a0), std::fabs(sweep.a));
+    const float reach = swept.points.radius + std::fabs(sweep.localCenter.x) + std::fabs(sweep.localCenter.y);
+    if (coordinate <= kSweepReach && angle <= kSweepAngle && swept.points.edge >= kShortestSide) {
+        swept.rounding = kUnit * (kErrorPerCoordinate * coordinate + kErrorPerReach * reach +
+                                  kErrorPerAngle * angle * swept.points.radius);
+        swept.tilt = kUnit * (kTiltPerCoordinate * coordinate + kTiltPerReach * reach);
+    }
+    return swept;
+}
+
+namespace {
+
+/// So far apart along a fixed direction they are not found touching. Infinite where Box2D must answer: there
+/// a side may be too short to divide by.
+float NeverTouchBeyond(const SweptShape &a, const SweptShape &b) {
+    if (!(a.rounding + b.rounding <= std::numeric_limits<float>::max()))
+        return std::numeric_limits<float>::infinity();
+    const float lever = 1.0f + std::max(a.points.width / b.points.edge, b.points.width / a.points.edge);
+    const float impact = ImpactDistance(a.radius + b.radius);
+    const float tilt = a.tilt + b.tilt + (kTiltAlways + kUnit * kTiltPerDistance * impact);
+    return impact * (1.0f + kUnit * kErrorPerDistance) + (a.rounding + b.rounding) + tilt * lever;
+}
+
+} // namespace
+
+bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction) {
+    const float distance = NeverTouchBeyond(a, b);
+    return distance <= std::numeric_limits<float>::max() &&
+           bmr_swept32_compare(&a.points, &b.points, distance, distance, direction) == BMR_SWEPT32_APART;
+}
+
+bool NeverTouchAlong(const SweptShape &a, const SweptShape &b, bmr_vec32 direction) {
+    const float distance = NeverTouchBeyond(a, b);
+    return distance <= std::numeric_limits<float>::max() &&
+           bmr_swept32_apart_along(&a.points, &b.points, distance, direction);
+}
+
+bool NeverTouch(const b2TOIInput &input) {
+    bmr_vec32 direction = {0.0f, 0.0f};
+    // Beyond the way from 0 to 1 that is proved Box2D's sweeps go on, at either end.
+    return input.tMax >= 0.0f && input.tMax <= 1.0f &&
+           NeverTouch(Sweep(input.proxyA, input.sweepA, b2Rot(input.sweepA.a)),
+                      Sweep(input.proxyB, input.sweepB, b2Rot(input.sweepB.a)), &direction);
+}
+
+} // namespace bmr
