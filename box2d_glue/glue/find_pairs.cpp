@@ -97,7 +97,7 @@ public:
         NewContact::Link(contact, &m_manager->m_contactList);
         NewContact::Join(contact);
         ++m_manager->m_contactCount;
-        if (m_ledger != nullptr || m_manager->m_contactCount == WorthALedgerAnyway())
+        if (m_ledger != nullptr || m_manager->m_contactCount == CostOfAPass())
             m_ledger = FollowedLedger();
     }
 
@@ -105,7 +105,7 @@ private:
     /// The world's ledger with all of its contacts; nullptr where it has none.
     Ledger *FollowedLedger() const {
         Ledger *ledger =
-            m_manager->m_contactCount >= WorthALedgerAnyway() ? MakeLedger(m_manager) : FindLedger(m_manager);
+            m_manager->m_contactCount >= CostOfAPass() ? MakeLedger(m_manager) : FindLedger(m_manager);
         return ledger != nullptr && (ledger->IsWhole() || ledger->CatchUp()) ? ledger : nullptr;
     }
 

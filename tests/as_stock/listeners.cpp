@@ -213,9 +213,8 @@ struct Blocks {
     std::vector<std::string> all;
 };
 
-// A small world gives its ledger back: between steps alone, and with what is known of impacts.
-AS_STOCK("given back: a crowd goes, and while that is found out a listener steps the world within its "
-         "steps; the crowd comes back") {
+AS_STOCK("few left: a crowd goes, and a listener steps the world of the few within its steps; the crowd "
+         "comes back") {
     for (const bool sub : {false, true}) {
         Game game(run);
         game.world.SetSubStepping(sub);

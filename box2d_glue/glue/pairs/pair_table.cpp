@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "base/private_members.h"
+#include "glue/pairs/pair_tables.h"
 #include "start/current_step.h"
 #include "start/settings.h"
 
@@ -397,17 +398,21 @@ bool Ledger::NextStepPays() {
     return false;
 }
 
+uint64_t Ledger::CostOfList(int32 awake) const {
+    const auto pairs = static_cast<uint64_t>(m_live), watched = static_cast<uint64_t>(awake);
+    return watched + (pairs - watched) / kSleepersPerUnit + (pairs <= kPairsInCache ? pairs / 2 : 2 * pairs);
+}
+
 void Ledger::NoteList(uint32_t awake) {
-    if (8 * static_cast<uint64_t>(awake) < static_cast<uint64_t>(m_live))
+    if (static_cast<uint64_t>(CostOfAPass()) + (kLook + kMover) * awake <
+        CostOfList(static_cast<int32>(awake)))
         m_restingSteps = 0;
 }
 
 void Ledger::NoteLooks(uint32_t looks) {
-    const auto pairs = static_cast<uint64_t>(m_live), awake = static_cast<uint64_t>(m_watched);
     if (m_triedPasses > 0) { // in the first one every pair is due
-        m_costOfTable += kLook * looks + kMover * m_followed;
-        m_costOfList += awake + (pairs - awake) / kSleepersPerUnit + m_searches * pairs / kSearchesPerUnit +
-                        (pairs <= kPairsInCache ? pairs / 2 : 2 * pairs);
+        m_costOfTable += static_cast<uint64_t>(CostOfAPass()) + kLook * looks + kMover * m_followed;
+        m_costOfList += CostOfList(m_watched) + m_searches * static_cast<uint64_t>(m_live) / kSearchesPerUnit;
     }
     m_searches = 0;
     if (m_triedPasses++ < kPassesToTry)

@@ -338,6 +338,9 @@ private:
     bool m_interrupted = false;
     bool m_sweepsCarefully = false; ///< see BeginSearch, RuleOutImpact
     uint32_t m_followed = 0; ///< rows that were looked at in the last look at all movers, and are active
+    /// What a step by the world's list costs that searches for no impact; so many pairs are awake.
+    uint64_t CostOfList(int32 awake) const;
+
     // See NextStepPays.
     uint32_t m_triedPasses = 0, m_restingSteps = 0;
     uint64_t m_searches = 0, m_costOfTable = 0, m_costOfList = 0;

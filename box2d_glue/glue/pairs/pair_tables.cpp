@@ -80,7 +80,6 @@ struct Entry : Ledger {
     static void operator delete(void *entry) { std::free(entry); }
     void Leave() { m_left = true; }
     WorldSign::Number sign = 0;
-    uint32_t stepsOfFew = 0; ///< in a row began with fewer contacts than a ledger is kept for
     Entry *next = nullptr;
 };
 
@@ -98,10 +97,6 @@ thread_local Remembered remembered = {nullptr, nullptr, 0};
 Entry **ChainOf(const b2ContactManager *manager) {
     const uint64_t mixed = static_cast<uint64_t>(reinterpret_cast<uintptr_t>(manager)) * 0x9e3779b97f4a7c15u;
     return &chains[mixed >> (64u - kChainBits)];
-}
-
-uint32_t StepsUntilGivenBack() {
-    return WorksEverywhere() ? 2 : 64;
 }
 
 /// The link that leads to it, or the chain's last. Locked.
@@ -165,17 +160,9 @@ Ledger *MakeLedger(b2ContactManager *manager) {
 
 Ledger *LedgerForStep(b2ContactManager *manager) {
     DropLedgerOfEmpty(manager);
-    Ledger *const ledger = FindAndSignLedger(manager);
-    if (ledger == nullptr)
-        return manager->m_contactCount >= WorthALedgerAnyway() ? MakeLedger(manager) : nullptr;
-    uint32_t &stepsOfFew = static_cast<Entry *>(ledger)->stepsOfFew;
-    if (manager->m_contactCount >= WorthALedgerAnyway() / 2)
-        stepsOfFew = 0;
-    else if (++stepsOfFew > StepsUntilGivenBack()) {
-        LeaveTable(manager);
-        return nullptr;
-    }
-    return ledger;
+    if (Ledger *const ledger = FindAndSignLedger(manager))
+        return ledger;
+    return manager->m_contactCount >= CostOfAPass() ? MakeLedger(manager) : nullptr;
 }
 
 void DropLedgerOfEmpty(const b2ContactManager *manager) {

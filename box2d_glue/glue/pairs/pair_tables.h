@@ -15,14 +15,13 @@ class Ledger;
 
 /// @file
 /// Which world has which ledger. Worlds have no room for one, so that it is found by the address of their
-/// contact manager. A world gets one when it has contacts enough, and loses it when it ends, or has no
-/// contact.
+/// contact manager. A world gets one when it has contacts enough (CostOfAPass), and loses it when it
+/// ends, or has no contact. Between the two the ledger counts what pays (Ledger::NextStepPays).
 
-/// So many contacts are worth a ledger. In worlds of fewer, looking at what touches costs less than the
-/// ledger does, whose code and memory a game's own work has put out of the caches between two steps. Where
-/// the plugin is to work everywhere it is not asked what anything costs. Structures of hulls are kept in the
-/// ledger, so that the first contact makes one.
-inline int WorthALedgerAnyway() {
+/// A pass over a ledger costs as much as Box2D's loop over so many contacts, whatever the ledger holds: a
+/// game's own work has put its code and memory out of the caches between two steps. Where the plugin is to
+/// work everywhere it is not asked what anything costs.
+inline int CostOfAPass() {
     return PairsAreHulls() ? 1 : WorksEverywhere() ? 8 : 48;
 }
 
@@ -46,9 +45,7 @@ inline Ledger *FindLedger(const b2ContactManager *manager) {
 }
 /// Makes it if need be; nullptr where no sign is left.
 Ledger *MakeLedger(b2ContactManager *manager);
-/// For a step that begins: makes it where there are contacts enough, and signs it. Gives it back where the
-/// world began many steps in a row with less than half as many: a world that goes to and fro about the limit
-/// keeps it.
+/// For a step that begins: signs it, and makes it for a world of as many contacts as a pass costs.
 Ledger *LedgerForStep(b2ContactManager *manager);
 /// The same as FindLedger, and gives world and ledger a new sign: for steps that begin, and
 /// for contacts that end.
