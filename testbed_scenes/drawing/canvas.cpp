@@ -9,17 +9,24 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 
+#include "drawing/whole_file.h"
+
 namespace testbed {
 namespace {
 
-cairo_surface_t *MakeSurface(const std::string &path, const std::string &writePath, double width,
-                             double height) {
+/// What cairo writes, appended to the bytes of the file.
+cairo_status_t Append(void *bytes, const unsigned char *data, unsigned length) {
+    static_cast<std::string *>(bytes)->append(reinterpret_cast<const char *>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+cairo_surface_t *MakeSurface(const std::string &path, std::string *bytes, double width, double height) {
     if (EndsWith(path, ".png"))
         return cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(width)),
                                           static_cast<int>(std::lround(height)));
     if (EndsWith(path, ".svg"))
-        return cairo_svg_surface_create(writePath.c_str(), width, height);
-    return cairo_pdf_surface_create(writePath.c_str(), width, height);
+        return cairo_svg_surface_create_for_stream(Append, bytes, width, height);
+    return cairo_pdf_surface_create_for_stream(Append, bytes, width, height);
 }
 
 } // namespace
@@ -33,23 +40,6 @@ bool IsPicturePath(const std::string &path) {
     return EndsWith(path, ".svg") || EndsWith(path, ".png") || EndsWith(path, ".pdf");
 }
 
-Surface::Surface(std::string path, double width, double height)
-    : m_path(std::move(path)), m_file(m_path),
-      m_surface(MakeSurface(m_path, m_file.WritePath().string(), width, height), cairo_surface_destroy),
-      m_context(cairo_create(m_surface.get()), cairo_destroy) {}
-
-void Surface::Write() {
-    cairo_status_t status = cairo_status(m_context.get());
-    if (status == CAIRO_STATUS_SUCCESS && EndsWith(m_path, ".png"))
-        status = cairo_surface_write_to_png(m_surface.get(), m_file.WritePath().c_str());
-    cairo_surface_finish(m_surface.get());
-    if (status == CAIRO_STATUS_SUCCESS)
-        status = cairo_surface_status(m_surface.get());
-    if (status != CAIRO_STATUS_SUCCESS)
-        throw std::runtime_error("cannot draw " + m_path + ": " + cairo_status_to_string(status));
-    m_file.Finish();
-}
-
 namespace ink {
 Colour Series(size_t index) {
     constexpr std::array<Colour, 6> kSeries = {kBlue, kRed, kGreen, kPurple, kOrange, kSky};
@@ -57,10 +47,24 @@ Colour Series(size_t index) {
 }
 } // namespace ink
 
-Canvas::Canvas(const std::string &path, double width, double height)
-    : m_width(width), m_height(height), m_surface(path, width, height),
-      m_cairo(m_surface.Cairo()), m_world{0.0, 0.0, width, height}, m_page(m_world) {
+Canvas::Canvas(std::string path, double width, double height)
+    : m_path(std::move(path)), m_width(width), m_height(height),
+      m_surface(MakeSurface(m_path, &m_bytes, width, height), cairo_surface_destroy),
+      m_context(cairo_create(m_surface.get()), cairo_destroy),
+      m_cairo(m_context.get()), m_world{0.0, 0.0, width, height}, m_page(m_world) {
     Prepare();
+}
+
+void Canvas::Write() {
+    cairo_status_t status = cairo_status(m_cairo);
+    if (status == CAIRO_STATUS_SUCCESS && EndsWith(m_path, ".png"))
+        status = cairo_surface_write_to_png_stream(m_surface.get(), Append, &m_bytes);
+    cairo_surface_finish(m_surface.get());
+    if (status == CAIRO_STATUS_SUCCESS)
+        status = cairo_surface_status(m_surface.get());
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw std::runtime_error("cannot draw " + m_path + ": " + cairo_status_to_string(status));
+    WriteWholeFile(m_path, m_bytes);
 }
 
 void Canvas::Prepare() {

@@ -9,33 +9,12 @@
 #include <cairo.h>
 
 #include "boomerang/vector.h"
-#include "drawing/whole_file.h"
 
 namespace testbed {
 
 bool EndsWith(const std::string &path, const std::string &ending);
 /// Whether there is a kind of picture for the ending of this path: .svg, .png or .pdf.
 bool IsPicturePath(const std::string &path);
-
-/// A picture file being drawn: cairo's surface of the kind that the path's ending names, and a context on it.
-/// Sizes are pixels in a PNG and points elsewhere. An older file stays until Write.
-class Surface {
-public:
-    Surface(std::string path, double width, double height);
-
-    cairo_t *Cairo() const { return m_context.get(); }
-    /// Writes the file; throws std::runtime_error if it, or anything drawn, failed.
-    void Write();
-
-private:
-    using SurfacePointer = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-    using ContextPointer = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
-
-    std::string m_path;
-    WholeFile m_file;
-    SurfacePointer m_surface;
-    ContextPointer m_context;
-};
 
 struct Colour {
     double red, green, blue;
@@ -78,10 +57,13 @@ struct Rectangle {
 enum class Align { Left, Centre, Right };
 
 /// A page with y upwards, its origin in the lower left corner, on which panels map world coordinates. Fonts
-/// are the system's sans serif.
+/// are the system's sans serif. The path's ending names the kind of picture; sizes are pixels in a PNG and
+/// points elsewhere.
 class Canvas {
 public:
-    Canvas(const std::string &path, double width, double height);
+    Canvas(std::string path, double width, double height);
+    Canvas(const Canvas &) = delete;
+    Canvas &operator=(const Canvas &) = delete;
 
     /// From now on world coordinates are those of `world`, shown in `page` (of the page's units) as large as
     /// fits, centred, undistorted; drawing is clipped to `page`.
@@ -116,7 +98,8 @@ public:
 
     double Width() const { return m_width; }
     double Height() const { return m_height; }
-    void Write() { m_surface.Write(); }
+    /// Writes the file; throws std::runtime_error if it, or anything drawn, failed.
+    void Write();
 
 private:
     void Prepare();
@@ -125,8 +108,14 @@ private:
     void FillPath(const Fill &fill);
     void SelectFont(double size, bool bold);
 
+    using SurfacePointer = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+    using ContextPointer = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+
+    const std::string m_path;
+    std::string m_bytes; ///< of the file
     double m_width, m_height;
-    Surface m_surface;
+    SurfacePointer m_surface;
+    ContextPointer m_context;
     cairo_t *m_cairo;
     Rectangle m_world, m_page;
     double m_scaleX = 1.0, m_scaleY = 1.0, m_shiftX = 0.0, m_shiftY = 0.0;

@@ -3,74 +3,51 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
-
-#include <unistd.h>
 
 namespace testbed {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path DirectoryOf(const fs::path &path) {
-    return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
-bool IsWritable(const fs::path &path) {
-    return access(path.c_str(), W_OK) == 0;
+[[noreturn]] void FailToWrite(const std::string &path, const std::string &reason) {
+    throw std::runtime_error("cannot write " + path + ": " + reason);
 }
 
 } // namespace
 
-WholeFile::WholeFile(const std::string &path) : m_target(path), m_writePath(path) {
+void CheckWritable(const std::string &path) {
     std::error_code error;
-    const bool isLink = fs::is_symlink(path, error), exists = fs::exists(path, error);
-    if (path.empty() || (exists ? !fs::is_regular_file(path, error) : isLink))
-        return;
-    // A link stays one: what it leads to is replaced.
-    if (isLink)
-        m_target = fs::canonical(path, error);
-    if (error || (exists && !IsWritable(m_target)) || !IsWritable(DirectoryOf(m_target)))
-        return;
-    m_writePath = m_target;
-    m_writePath += "." + std::to_string(getpid()) + ".part";
-}
-
-WholeFile::~WholeFile() {
-    std::error_code ignored;
-    if (m_writePath != m_target)
-        fs::remove(m_writePath, ignored);
-}
-
-void FailToWrite(const std::string &path, int error) {
-    throw std::runtime_error("cannot write " + path +
-                             (error != 0 ? std::string(": ") + std::strerror(error) : ""));
-}
-
-void WholeFile::Check(const std::string &path) {
-    std::error_code error;
-    const fs::path directory = DirectoryOf(path);
+    const fs::path directory = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
     if (!fs::exists(directory, error))
-        throw std::runtime_error("cannot write " + path + ": there is no directory " + directory.string());
+        FailToWrite(path, "there is no directory " + directory.string());
     if (!fs::is_directory(directory, error))
-        FailToWrite(path, ENOTDIR);
+        FailToWrite(path, std::strerror(ENOTDIR));
     if (fs::is_directory(path, error))
-        FailToWrite(path, EISDIR);
-    errno = 0;
-    if (!IsWritable(fs::exists(path, error) ? fs::path(path) : directory))
-        FailToWrite(path, errno);
+        FailToWrite(path, std::strerror(EISDIR));
 }
 
-void WholeFile::Finish() {
-    if (m_writePath == m_target)
-        return;
+void WriteWholeFile(const std::string &path, const std::string &content) {
     std::error_code error;
-    if (fs::exists(m_target, error))
-        fs::permissions(m_writePath, fs::status(m_target, error).permissions(), error);
-    fs::rename(m_writePath, m_target, error);
+    const fs::path target = fs::weakly_canonical(path, error);
+    const bool replaces = !fs::exists(target, error) || fs::is_regular_file(target, error);
+    const fs::path written = replaces ? fs::path(target) += ".part" : target;
+    errno = 0;
+    std::ofstream stream(written, std::ios::binary);
+    stream << content << std::flush;
+    const int failure = errno;
+    if (!stream) {
+        if (replaces)
+            fs::remove(written, error);
+        FailToWrite(path, std::strerror(failure));
+    }
+    if (!replaces)
+        return;
+    fs::rename(written, target, error);
     if (error)
-        FailToWrite(m_target.string(), error.value());
-    m_writePath = m_target;
+        FailToWrite(path, error.message());
 }
 
 } // namespace testbed

@@ -10,7 +10,6 @@
 
 #include "command_line/nearest.h"
 #include "compare.h"
-#include "output_file.h"
 #include "progress.h"
 #include "table.h"
 #include "theory/figure.h"
@@ -108,10 +107,8 @@ int Execute(const RunCommand &command, const Workers &workers) {
     const auto process = workers.Start(request, command.worker, [&](const std::string &line) {
         if (IsSummaryLine(line)) {
             summary = ParseSummaryLine(line);
-        } else {
-            ParseStepLine(line);
-            if (command.hash)
-                std::cout << line << '\n';
+        } else if (command.hash) {
+            std::cout << line << '\n';
         }
     });
     Progress progress(1, command.hash);
@@ -146,7 +143,6 @@ void CheckPerturb(const std::vector<SceneInfo> &scenes, const CompareOptions &op
 int Execute(const CompareCommand &command, const Workers &workers) {
     const std::vector<SceneInfo> scenes = SelectScenes(workers.List(), command.scenes);
     CheckPerturb(scenes, command.options);
-    OutputFile markdown(command.markdown);
     const bool colour = WantsColour(STDOUT_FILENO);
     const int runsPerScene = RunsPerScene(workers, command.options);
 
@@ -168,17 +164,13 @@ int Execute(const CompareCommand &command, const Workers &workers) {
         }
     }
     const bool hasFigures = std::any_of(results.begin(), results.end(), [](const auto &result) {
-        return result.verdict == Verdict::Identical || !result.verifyCount.is_null();
+        return result.verdict == Verdict::Identical;
     });
     if (!command.quiet)
         PrintQuestions(std::cout, results, colour);
     PrintVerdict(std::cout, results, colour);
     if (!command.quiet && hasFigures)
         PrintTables(std::cout, results, command.options, command.details, colour);
-    if (markdown.IsWanted()) {
-        WriteMarkdown(markdown.Stream(), results, command.options);
-        markdown.Close();
-    }
     return CompareExitCode(results);
 }
 

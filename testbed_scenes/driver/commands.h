@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "boomerang/kds.h"
 #include "compare.h"
 #include "pictures.h"
 #include "workers.h"
@@ -41,7 +40,6 @@ struct RunCommand {
 struct CompareCommand {
     std::vector<std::string> scenes;
     CompareOptions options;
-    std::string markdown;
     bool details = false;
     bool quiet = false;
 };
@@ -120,11 +118,9 @@ struct EventsCommand {
     std::string shape = "ellipse:disc";
     std::string ratios = "8:2048";
     unsigned seeds = 3;
-    std::string count = "events";
-    bmr_kds_def def = bmr_default_kds_def();
     std::vector<std::string> polygons;
     std::string motion;
-    std::string csv, json, trace;
+    std::string csv;
     bool audit = false, noOptimum = false, quiet = false, list = false, box2d = false;
 };
 

@@ -2,9 +2,8 @@
 #include "compare.h"
 
 #include <algorithm>
-#include <deque>
-#include <functional>
 #include <map>
+#include <sstream>
 
 namespace testbed {
 namespace {
@@ -23,63 +22,6 @@ WorkerRequest RequestFor(Side side, const SceneResult &result, const CompareOpti
         side = StockFor(result.scene);
     return {side, result.scene.name, result.steps, mode, extra};
 }
-
-/// Matches two streams of steps as they arrive, whichever is ahead, and keeps only what the other has not
-/// reached.
-class StreamMatcher {
-public:
-    explicit StreamMatcher(Side side) : m_side(side) {}
-
-    Side GetSide() const { return m_side; }
-    void Add(Side side, const std::string &line) {
-        if (IsSummaryLine(line)) {
-            ParseSummaryLine(line);
-            m_ended[Index(side)] = true;
-            return;
-        }
-        StepHash hash = ParseStepLine(line);
-        if (hash.step != m_next[Index(side)]++)
-            throw WorkerError("printed a step out of turn: \"" + line + "\"");
-        m_waiting[Index(side)].push_back(std::move(hash));
-        while (!m_difference && !m_waiting[0].empty() && !m_waiting[1].empty()) {
-            Match(m_waiting[0].front(), m_waiting[1].front());
-            m_waiting[0].pop_front();
-            m_waiting[1].pop_front();
-        }
-    }
-
-    const std::optional<Difference> &GetDifference() const { return m_difference; }
-    int64_t Matched() const { return m_matched; }
-    /// Both sides gave all the steps asked for, and their summaries.
-    bool IsComplete(int64_t steps) const { return m_ended[0] && m_ended[1] && m_matched == steps; }
-
-private:
-    static size_t Index(Side side) { return side == Side::Stock ? 0 : 1; }
-
-    void Match(const StepHash &stock, const StepHash &plugin) {
-        if (stock == plugin) {
-            ++m_matched;
-            return;
-        }
-        m_difference.emplace();
-        m_difference->side = m_side;
-        m_difference->step = stock.step;
-        auto name = [this](bool differs, const char *what) {
-            if (differs)
-                m_difference->hashes += (m_difference->hashes.empty() ? "" : ", ") + std::string(what);
-        };
-        name(stock.bodies != plugin.bodies, "bodies");
-        name(stock.contacts != plugin.contacts, "contacts");
-        name(stock.events != plugin.events, "events");
-    }
-
-    Side m_side;
-    std::deque<StepHash> m_waiting[2];
-    int64_t m_next[2] = {0, 0};
-    bool m_ended[2] = {false, false};
-    int64_t m_matched = 0;
-    std::optional<Difference> m_difference;
-};
 
 std::vector<DumpField> DumpOf(const Workers &workers, Side side, int64_t step, const SceneResult &result,
                               const CompareOptions &options) {
@@ -112,7 +54,6 @@ void FindField(const std::vector<DumpField> &stock, const std::vector<DumpField>
             difference.plugin = Readable(right);
         }
     };
-    std::map<std::string, std::string> missed;
     for (const DumpField &field : stock) {
         const auto other = others.find(field.name);
         if (other == others.end()) {
@@ -128,113 +69,89 @@ void FindField(const std::vector<DumpField> &stock, const std::vector<DumpField>
             report(field.name, kAbsent, field.value);
 }
 
-/// Stock and all variants side by side: each step is compared when both have reached it. A variant that
-/// differs is ended, for what follows a difference is its consequence; so is stock when nobody is left.
-class HashComparison {
-public:
-    HashComparison(const Workers &workers, const CompareOptions &options, const SceneResult &result) {
-        for (const Variant &variant : result.variants)
-            m_matchers.emplace_back(variant.side);
-        m_processes.push_back(workers.Start(RequestFor(Side::Stock, result, options, "hash"), options.worker,
-                                            [this](const std::string &line) {
-                                                for (StreamMatcher &matcher : m_matchers)
-                                                    Add(matcher, Side::Stock, line);
-                                            }));
-        for (StreamMatcher &matcher : m_matchers)
-            m_processes.push_back(workers.Start(
-                RequestFor(matcher.GetSide(), result, options, "hash"), options.worker,
-                [this, &matcher](const std::string &line) { Add(matcher, matcher.GetSide(), line); }));
-    }
-
-    void Run(const std::function<void(int64_t matched)> &onTick) {
-        std::vector<Process *> processes;
-        for (const auto &process : m_processes)
-            processes.push_back(process.get());
-        RunAll(processes, [&] {
-            int64_t matched = 0;
-            for (const StreamMatcher &matcher : m_matchers)
-                matched = std::max(matched, matcher.Matched());
-            onTick(matched);
-        });
-    }
-
-    /// Throws where a worker did not do its job.
-    std::optional<Difference> Take(SceneResult &result) const {
-        std::optional<Difference> earliest;
-        for (size_t i = 0; i < m_matchers.size(); ++i) {
-            const StreamMatcher &matcher = m_matchers[i];
-            if (const std::optional<Difference> &difference = matcher.GetDifference()) {
-                result.variants[i].verdict = Verdict::Different;
-                if (!earliest || difference->step < earliest->step)
-                    earliest = difference;
-                continue;
-            }
-            for (const auto *process : {m_processes[0].get(), m_processes[i + 1].get()})
-                if (!process->Succeeded())
-                    throw WorkerError(process->Describe());
-            if (!matcher.IsComplete(result.steps))
-                throw WorkerError(m_processes[i + 1]->CommandLine() + ": ended after " +
-                                  std::to_string(matcher.Matched()) + " steps, or without a summary");
-            result.variants[i].verdict = Verdict::Identical;
-        }
-        return earliest;
-    }
-
-private:
-    void Add(StreamMatcher &matcher, Side side, const std::string &line) {
-        if (matcher.GetDifference())
-            return;
-        matcher.Add(side, line);
-        if (!matcher.GetDifference())
-            return;
-        const auto index = static_cast<size_t>(&matcher - m_matchers.data());
-        m_processes[index + 1]->Kill();
-        if (std::all_of(m_matchers.begin(), m_matchers.end(),
-                        [](const StreamMatcher &each) { return each.GetDifference().has_value(); }))
-            m_processes[0]->Kill();
-    }
-
-    std::vector<StreamMatcher> m_matchers;
-    std::vector<std::unique_ptr<Process>> m_processes; ///< stock, then one for each matcher
+/// What one side printed of its steps.
+struct HashRun {
+    Side side = Side::Stock;
+    std::vector<std::string> lines;
+    bool ended = false; ///< with a summary
+    std::unique_ptr<Process> process;
 };
+
+/// Throws WorkerError unless a run gave all the steps asked for, and its summary.
+void CheckComplete(const HashRun &run, int64_t steps) {
+    if (!run.process->Succeeded())
+        throw WorkerError(run.process->Describe());
+    if (!run.ended || static_cast<int64_t>(run.lines.size()) != steps)
+        throw WorkerError(run.process->CommandLine() + ": ended after " + std::to_string(run.lines.size()) +
+                          " steps, or without a summary");
+}
+
+/// The first step of two complete runs whose hashes differ.
+std::optional<Difference> FirstDifference(const HashRun &stock, const HashRun &other) {
+    const auto [line, with] = std::mismatch(stock.lines.begin(), stock.lines.end(), other.lines.begin());
+    if (line == stock.lines.end())
+        return std::nullopt;
+    Difference difference;
+    difference.side = other.side;
+    difference.step = line - stock.lines.begin();
+    std::istringstream words(*line), others(*with);
+    for (const char *name : {"word", "number", "bodies", "contacts", "events"}) {
+        std::string word, otherWord;
+        words >> word;
+        others >> otherWord;
+        if (word != otherWord)
+            difference.hashes += (difference.hashes.empty() ? "" : ", ") + std::string(name);
+    }
+    return difference;
+}
+
+/// Stock and all variants side by side.
+std::vector<HashRun> RunHashes(const Workers &workers, const CompareOptions &options,
+                               const SceneResult &result, Progress &progress) {
+    std::vector<HashRun> runs(1 + result.variants.size());
+    std::vector<Process *> processes;
+    for (size_t i = 0; i < runs.size(); ++i) {
+        HashRun &run = runs[i];
+        run.side = i == 0 ? Side::Stock : result.variants[i - 1].side;
+        run.process = workers.Start(RequestFor(run.side, result, options, "hash"), options.worker,
+                                    [&run](const std::string &line) {
+                                        if (IsStepLine(line))
+                                            run.lines.push_back(line);
+                                        else
+                                            run.ended = run.ended || IsSummaryLine(line);
+                                    });
+        processes.push_back(run.process.get());
+    }
+    RunAll(processes, [&] {
+        size_t least = runs[0].lines.size();
+        for (const HashRun &run : runs)
+            least = std::min(least, run.lines.size());
+        progress.Show(result.scene.name + ": comparing",
+                      static_cast<double>(least) / static_cast<double>(result.steps));
+    });
+    return runs;
+}
 
 void CompareHashes(const Workers &workers, const CompareOptions &options, SceneResult &result,
                    Progress &progress) {
-    const std::string what = result.scene.name + ": comparing";
     for (const Side side : {Side::Plugin, Side::Preloaded, Side::Accelerated})
         if ((side != Side::Preloaded || (workers.CanPreload() && !result.scene.NeedsPlugin())) &&
             (side != Side::Accelerated || workers.CanAccelerate()))
             result.variants.push_back({side, Verdict::Failed});
-    HashComparison comparison(workers, options, result);
-    comparison.Run([&](int64_t matched) {
-        progress.Show(what, static_cast<double>(matched) / static_cast<double>(result.steps));
-    });
-    result.difference = comparison.Take(result);
+    const std::vector<HashRun> runs = RunHashes(workers, options, result, progress);
+    for (const HashRun &run : runs)
+        CheckComplete(run, result.steps);
+    for (size_t i = 1; i < runs.size(); ++i) {
+        const std::optional<Difference> difference = FirstDifference(runs[0], runs[i]);
+        result.variants[i - 1].verdict = difference ? Verdict::Different : Verdict::Identical;
+        if (difference && (!result.difference || difference->step < result.difference->step))
+            result.difference = difference;
+    }
     result.verdict = result.difference ? Verdict::Different : Verdict::Identical;
     if (result.difference)
         FindField(DumpOf(workers, Side::Stock, result.difference->step, result, options),
                   DumpOf(workers, result.difference->side, result.difference->step, result, options),
                   *result.difference);
-}
-
-/// Everything twice in one process: the plugin itself compares.
-void CompareAnswers(const Workers &workers, const CompareOptions &options, SceneResult &result,
-                    Progress &progress) {
-    progress.Show(result.scene.name + ": verifying", 0.0);
-    const auto process = workers.Start(RequestFor(Side::Verify, result, options, "count"), options.worker,
-                                       [&result](const std::string &line) {
-                                           if (IsSummaryLine(line))
-                                               result.verifyCount = ParseSummaryLine(line);
-                                       });
-    RunAll({process.get()}, [&progress] { progress.Tick(); });
-    if (!process->Succeeded())
-        throw WorkerError(process->Describe());
-    const std::optional<double> differences = NumberAt(result.verifyCount, "/plugin/differences");
-    if (!differences)
-        throw WorkerError(process->CommandLine() + ": ended without saying what it compared");
-    for (const std::string &line : process->Errors())
-        result.verifyWords += (result.verifyWords.empty() ? "" : "\n  ") + line;
-    result.verdict = *differences == 0.0 ? Verdict::Identical : Verdict::Different;
 }
 
 /// Stock, the plugin; and the accelerated Box2D where there is one.
@@ -291,8 +208,6 @@ const char *NameOf(Verdict verdict) {
 }
 
 int RunsPerScene(const Workers &workers, const CompareOptions &options) {
-    if (options.verify)
-        return 1;
     constexpr int kHashing = 1; // all sides run at once
     const int counting = options.worker.structure.empty() ? 2 : 3;
     return kHashing + counting + (options.time ? TimedSides(workers) * options.repeat : 0);
@@ -315,11 +230,6 @@ SceneResult CompareScene(const Workers &workers, const SceneInfo &scene, const C
         result.scene.seed = *options.worker.seed;
     result.steps = options.steps.value_or(scene.steps);
     try {
-        if (options.verify) {
-            CompareAnswers(workers, options, result, progress);
-            progress.Finish();
-            return result;
-        }
         CompareHashes(workers, options, result, progress);
         progress.Finish();
         // Two simulations that went different ways cannot be held against each other.
@@ -335,8 +245,6 @@ SceneResult CompareScene(const Workers &workers, const SceneInfo &scene, const C
 std::string Explain(const SceneResult &result) {
     if (result.verdict == Verdict::Failed)
         return result.scene.name + ": a worker failed\n  " + result.failure;
-    if (!result.verifyWords.empty())
-        return result.scene.name + ": " + result.verifyWords;
     if (!result.difference)
         return result.scene.name + ": identical over " + std::to_string(result.steps) + " steps";
     const Difference &difference = *result.difference;

@@ -22,9 +22,6 @@ struct CompareOptions {
     /// Timed runs of each side.
     int repeat = 5;
     bool time = true;
-    /// Instead of all that: run each scene with the plugin in its mode `verify`, where every answer is
-    /// compared with Box2D's inside one process.
-    bool verify = false;
     /// The control: at this step the plugin's worker nudges one velocity, and a difference must be found.
     std::optional<int64_t> perturb;
 };
@@ -62,8 +59,6 @@ struct SceneResult {
     std::vector<Variant> variants;          ///< in the order in which they are shown
     std::string failure;                    ///< why no verdict was reached, with the worker's last words
     std::optional<Difference> difference;   ///< set where a variant is Different: the earliest
-    nlohmann::json verifyCount;             ///< summary of the verifying run; null where there was none
-    std::string verifyWords;                ///< what the plugin said of the first difference
     nlohmann::json stockCount, pluginCount; ///< summaries of the counting runs; null where there were none
     nlohmann::json linesCount;              ///< with --structure: of one as games have it
     /// Summaries of the timed runs, paired by index. (The accelerated Box2D's: where there is one.)
@@ -93,11 +88,6 @@ void PrintVerdict(std::ostream &out, const std::vector<SceneResult> &results, bo
 /// all other tables, too, and a legend.
 void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
                  bool details, bool colour);
-/// The tables for a page of documentation: first the best, the middle and the worst scene by the whole step,
-/// then a table of times and one of each kind of count. A ratio whose pairs of runs lie on both sides of 1 is
-/// "no difference".
-void WriteMarkdown(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options);
-
 } // namespace testbed
 
 #endif

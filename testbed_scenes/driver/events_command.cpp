@@ -15,7 +15,7 @@
 
 #include "box2d_course.h"
 #include "command_line/nearest.h"
-#include "output_file.h"
+#include "drawing/whole_file.h"
 #include "progress.h"
 #include "table.h"
 #include "theory/event_tables.h"
@@ -143,7 +143,6 @@ Experiment ExperimentFor(const EventsCommand &command) {
     experiment.ratios = RatiosFor(command.ratios);
     for (unsigned seed = 1; seed <= command.seeds; ++seed)
         experiment.seeds.push_back(seed);
-    experiment.def = command.def;
     experiment.audit = command.audit;
     experiment.optimum = !command.noOptimum;
     experiment.polygonFiles = command.polygons;
@@ -248,8 +247,7 @@ private:
     bool m_colour;
 };
 
-void PrintCounts(const std::vector<Run> &runs, size_t ratioIndex, Quantity quantity, bool optimum,
-                 bool colour) {
+void PrintCounts(const std::vector<Run> &runs, size_t ratioIndex, bool optimum, bool colour) {
     ColumnBlocks::Leading leading;
     std::function<std::string(const bmr_kds_info *)> overOptimum;
     if (optimum) {
@@ -264,16 +262,16 @@ void PrintCounts(const std::vector<Run> &runs, size_t ratioIndex, Quantity quant
         .Print(
             leading,
             [&](const std::string &motion, const bmr_kds_info *structure) {
-                return Table::Cell{Rounded(MeanOver(runs, motion, structure, ratioIndex, quantity))};
+                return Table::Cell{Rounded(MeanOver(runs, motion, structure, ratioIndex))};
             },
             "lines / optimum", overOptimum);
 }
 
 /// The paper's Table 1 with numbers in it: how the counts grew, and whether the bound holds.
-void PrintGrowth(const std::vector<Run> &runs, Quantity quantity, bool colour) {
+void PrintGrowth(const std::vector<Run> &runs, bool colour) {
     ColumnBlocks(runs, kWideColumns, colour)
         .Print({}, [&](const std::string &motion, const bmr_kds_info *structure) {
-            const std::optional<Growth> growth = GrowthOf(runs, motion, structure, quantity);
+            const std::optional<Growth> growth = GrowthOf(runs, motion, structure);
             if (!growth)
                 return Table::Cell{"-"};
             const Style style = growth->verdict == BoundVerdict::None      ? Style::Faint
@@ -332,7 +330,7 @@ public:
             }
             const auto courses = static_cast<double>(row.courses.size());
             for (const bmr_kds_info *structure : StructuresOf(runs)) {
-                const auto events = MeanOver(runs, row.motion, structure, ratioIndex, Quantity::Events);
+                const auto events = MeanOver(runs, row.motion, structure, ratioIndex);
                 if (!events)
                     continue;
                 std::cout << QuestionsFor(row.motion, questions / courses,
@@ -403,22 +401,20 @@ std::string SeparationOf(const Run &run) {
 void PrintTables(const EventsCommand &command, const Experiment &experiment, const std::vector<Run> &runs,
                  const Box2DTable &box2d) {
     const bool colour = WantsColour(STDOUT_FILENO), own = !experiment.motionFile.empty();
-    const Quantity quantity = QuantityNamed(command.count);
     const size_t motions = own ? 1 : experiment.seeds.size();
     const size_t ratioIndex = own ? 0 : experiment.ratios.size() - 1;
     if (command.box2d)
         box2d.PrintQuestions(runs, ratioIndex);
-    std::cout << "Mean number of " << command.count << ", " << motions
-              << (motions == 1 ? " motion" : " motions of each kind") << ", n = " << runs.front().n << ", "
-              << SeparationOf(runs.back()) << "\n\n";
-    PrintCounts(runs, ratioIndex, quantity, experiment.optimum, colour);
+    std::cout << "Mean number of events, " << motions << (motions == 1 ? " motion" : " motions of each kind")
+              << ", n = " << runs.front().n << ", " << SeparationOf(runs.back()) << "\n\n";
+    PrintCounts(runs, ratioIndex, experiment.optimum, colour);
     if (!own && experiment.ratios.size() >= 3) {
         std::cout
-            << "Growth of " << command.count << " with D/sigma = " << experiment.ratios.front() << " .. "
+            << "Growth of events with D/sigma = " << experiment.ratios.front() << " .. "
             << experiment.ratios.back()
             << ": the exponent, or +events per doubling where the\nbound is logarithmic; < the paper's "
                "bound, NO where the fit refutes it, ? where its interval reaches the bound and more\n\n";
-        PrintGrowth(runs, quantity, colour);
+        PrintGrowth(runs, colour);
     }
     std::cout << "The four qualities, and the least change from event to event over the distance (rho)\n\n";
     PrintQualities(runs, colour);
@@ -430,17 +426,6 @@ void PrintTables(const EventsCommand &command, const Experiment &experiment, con
 }
 
 } // namespace
-
-/// CLI11's own range lets NaN pass.
-static std::function<std::string(const std::string &)> Between(double low, double high) {
-    return [low, high](const std::string &text) {
-        char *end = nullptr;
-        const double value = std::strtod(text.c_str(), &end);
-        if (end != text.c_str() && *end == '\0' && value >= low && value <= high)
-            return std::string();
-        return "\"" + text + "\" is no number from " + Fixed(low, 6) + " to " + Fixed(high, 2);
-    };
-}
 
 CLI::App *AddEvents(CLI::App &app, EventsCommand &command) {
     CLI::App *events = app.add_subcommand(
@@ -462,32 +447,12 @@ CLI::App *AddEvents(CLI::App &app, EventsCommand &command) {
     events->add_option("--seeds", command.seeds, "How many motions of each kind")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    events
-        ->add_option(
-            "--count", command.count,
-            "events (certificates that failed), lines (separating lines replaced), touched (elementary "
-            "steps of repairs), work (failure times computed) or handovers (events in which a spare line "
-            "took over)")
-        ->check(CLI::IsMember({"events", "lines", "touched", "work", "handovers"}))
-        ->capture_default_str();
-    events->add_option("--alpha", command.def.alpha, "Inflated: offset of the first level over the diameter")
-        ->check(Between(1e-6, 1e6))
-        ->capture_default_str();
-    events
-        ->add_option("--offset-ratio", command.def.offset_ratio, "Inflated: offset of a level over the last")
-        ->check(Between(0.01, 0.99))
-        ->capture_default_str();
-    events->add_option("--root-level", command.def.root_level, "Inflated: level of the outermost polygon")
-        ->check(CLI::Range(0, 32))
-        ->capture_default_str();
     CLI::Option *polygon = events->add_option("--polygon", command.polygons,
                                               "A polygon of one's own, \"x y\" a line; twice: A's and B's");
     polygon->check(CLI::ExistingFile)->allow_extra_args(false);
     events->add_option("--motion", command.motion, "A motion of one's own, in the statements below")
         ->check(CLI::ExistingFile);
     events->add_option("--csv", command.csv, "Write every run into this file, one row a run");
-    events->add_option("--json", command.json, "Write every run into this file, as JSON");
-    events->add_option("--trace", command.trace, "Write every event into this file, one line an event");
     events->add_flag("--box2d", command.box2d,
                      "Lead two Box2D bodies along the same courses and count what Box2D asks");
     events->add_flag("--audit", command.audit, "Prove every certificate again, by brute force");
@@ -513,41 +478,27 @@ int CountEvents(const EventsCommand &command, const std::string &workersDirector
                 box2d.Add(motion, RunInBox2D(course, *workers));
         };
     }
-    OutputFile csv(command.csv), json(command.json), trace(command.trace);
-    std::function<void(const Run &, const bmr_simulation_event &)> observer;
-    if (trace.IsWanted()) {
-        WriteTraceHeader(trace.Stream());
-        observer = [&trace](const Run &run, const bmr_simulation_event &event) {
-            WriteTraceLine(trace.Stream(), run, event);
-        };
-    }
+    if (!command.csv.empty())
+        CheckWritable(command.csv);
     std::vector<Run> runs;
     {
         constexpr int kUnits = 1000;
         Progress progress(kUnits, command.quiet);
-        runs = Perform(
-            experiment,
-            [&progress](const std::string &what, size_t done, size_t total) {
-                progress.FinishUpTo(static_cast<int>(kUnits * done / std::max<size_t>(total, 1)));
-                progress.Show(what, 0.0);
-            },
-            observer);
+        runs = Perform(experiment, [&progress](const std::string &what, size_t done, size_t total) {
+            progress.FinishUpTo(static_cast<int>(kUnits * done / std::max<size_t>(total, 1)));
+            progress.Show(what, 0.0);
+        });
         progress.Clear();
     }
     if (runs.empty())
         throw UsageError("none of these structures takes any of these motions");
     if (!command.quiet)
         PrintTables(command, experiment, runs, box2d);
-    if (csv.IsWanted()) {
-        WriteCsv(csv.Stream(), ToJson(runs), EventColumns());
-        csv.Close();
+    if (!command.csv.empty()) {
+        std::ostringstream csv;
+        WriteCsv(csv, runs);
+        WriteWholeFile(command.csv, csv.str());
     }
-    if (json.IsWanted()) {
-        json.Stream() << ToJson(runs).dump(1) << '\n';
-        json.Close();
-    }
-    if (trace.IsWanted())
-        trace.Close();
     return kExitOk;
 }
 

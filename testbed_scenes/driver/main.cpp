@@ -83,24 +83,10 @@ CLI::App *AddCompare(CLI::App &app, CommandLine &line) {
             ->check(CLI::Range(1, 1000))
             ->capture_default_str();
     compare->add_flag("--no-time", line.noTime, "Leave the timed runs out")->excludes(repeat);
-    compare
-        ->add_option_function<std::string>(
-            "--mode", [&command](const std::string &mode) { command.options.verify = mode == "verify"; },
-            "bits: processes with and without the plugin; verify: every answer twice in one process "
-            "(default: bits)")
-        ->check(CLI::IsMember({"bits", "verify"}));
-    compare->add_option("--markdown", command.markdown,
-                        "Write the tables into this file, as pages have them");
     CLI::Option *details = compare->add_flag(
         "--details", command.details,
         "All tables: calls of Box2D, budgets, events and times, and what their columns mean");
     compare->add_flag("--quiet", command.quiet, "Only differences and the verdict")->excludes(details);
-    compare
-        ->add_option(
-            "--listener", command.options.worker.listener,
-            "A contact listener in all worlds: it counts its calls; reads, too; or acts, too; or is a "
-            "bmr::ContactRecorder (default: none, except in scenes that listen themselves)")
-        ->check(CLI::IsMember({"none", "counts", "reads", "acts", "records"}));
     AddPluginOptions(*compare, command.options.worker);
     AddSceneOptions(*compare, command.options.worker);
     compare

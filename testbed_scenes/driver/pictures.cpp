@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
+#include "drawing/whole_file.h"
 #include "picture/world_view.h"
 
 namespace testbed {
@@ -45,7 +46,7 @@ bool IsNumberOfABody(double number) {
 void CheckOutput(const std::string &output) {
     if (!IsPicturePath(output))
         throw UsageError("\"" + output + "\" should end in .svg, .png or .pdf");
-    WholeFile::Check(output);
+    CheckWritable(output);
 }
 
 /// "picture.png", 7 of 120: "picture-0007.png".

@@ -156,7 +156,7 @@ struct SceneColumn {
     bool brief = false; ///< shown beside the verdicts, too
 };
 
-/// A table of scenes, wherever it is shown: on a terminal or on a page.
+/// A table of scenes.
 struct SceneTable {
     std::string title;
     std::vector<SceneColumn> columns;
@@ -254,15 +254,6 @@ SceneTable ModeTable() {
                 "a structure a pair of bodies: --structure; checks: its certificates, asked",
                 "exact: contact points computed, because a stab reached the hulls or because the two touched",
             }};
-}
-
-SceneTable VerifyTable() {
-    return {"Every answer of the plugin beside Box2D's, in one process",
-            {
-                {"answers", "compared", Sum(&SceneResult::verifyCount, {"plugin/verified"}), 0},
-                {"answers", "different", Sum(&SceneResult::verifyCount, {"plugin/differences"}), 0},
-            },
-            {}};
 }
 
 /// Medians of so many runs. `accelerated`: with columns of a Box2D that was compiled with the plugin.
@@ -377,58 +368,6 @@ size_t CountOf(const std::vector<SceneResult> &results, Verdict verdict) {
                                              [verdict](const auto &r) { return r.verdict == verdict; }));
 }
 
-const Figure kStepRatio = Ratio(kPluginTimes, kWholeStep);
-
-/// "2.75 (2.71 to 2.76)", "no difference (0.99 to 1.03)", or nothing.
-std::string StepRatio(const SceneResult &result) {
-    const Number ratio = kStepRatio(result), least = Least(result), greatest = Greatest(result);
-    if (!ratio || !least || !greatest)
-        return "";
-    const bool tells = *least > 1.0 || *greatest < 1.0;
-    return (tells ? Fixed(ratio, 2) : "no difference") + " (" + Fixed(least, 2) + " to " +
-           Fixed(greatest, 2) + ")";
-}
-
-/// Best, middle and worst by the whole step.
-void WriteHeadline(std::ostream &out, const std::vector<SceneResult> &results) {
-    std::vector<const SceneResult *> timed;
-    for (const SceneResult &result : results)
-        if (kStepRatio(result))
-            timed.push_back(&result);
-    if (timed.empty())
-        return;
-    std::stable_sort(timed.begin(), timed.end(), [](const SceneResult *a, const SceneResult *b) {
-        return *kStepRatio(*a) > *kStepRatio(*b);
-    });
-    Table table;
-    for (const char *name : {"whole step, stock / plugin", "scene", "ratio"})
-        table.AddColumn("", name);
-    const auto add = [&](const char *name, const SceneResult &result) {
-        table.AddRow({{name}, {result.scene.name}, {StepRatio(result)}});
-    };
-    add("best", *timed.front());
-    add("middle", *timed[timed.size() / 2]);
-    add("worst", *timed.back());
-    table.PrintMarkdown(out);
-    out << '\n';
-}
-
-void WriteTimes(std::ostream &out, const std::vector<SceneResult> &results, int repeat) {
-    Table table;
-    for (const char *name : {"scene", "stock, us a step", "plugin, us a step", "stock / plugin"})
-        table.AddColumn("", name);
-    for (const SceneResult &result : results) {
-        table.AddRow({{result.scene.name},
-                      {Fixed(Microseconds(kStockTimes, kWholeStep)(result), 1)},
-                      {Fixed(Microseconds(kPluginTimes, kWholeStep)(result), 1)},
-                      {StepRatio(result)}});
-    }
-    table.PrintMarkdown(out);
-    out << "\nWhole steps, the median of " << repeat
-        << " interleaved runs; stock over plugin, in brackets the least and the greatest of the pairs of "
-           "runs.\n";
-}
-
 } // namespace
 
 void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
@@ -437,10 +376,6 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
         out << '\n' << Styled(table.title, Style::Strong, colour) << '\n';
         TableOf(results, table).Print(out, colour);
     };
-    if (options.verify) {
-        print(VerifyTable());
-        return;
-    }
     out << '\n';
     PrintVerdicts(out, results, options, colour);
     const SceneTable times = TimeTable(options.repeat, AnyIsAccelerated(results));
@@ -498,29 +433,6 @@ void PrintVerdict(std::ostream &out, const std::vector<SceneResult> &results, bo
         text += "; step " + Fixed(ratio, 2) + "x, narrow phase " +
                 Fixed(MeanRatio(results, kNarrowPhase), 2) + "x as fast as stock (geometric means)";
     out << Styled(text, different + failed == 0 ? Style::Good : Style::Bad, colour) << '\n';
-}
-
-void WriteMarkdown(std::ostream &out, const std::vector<SceneResult> &results,
-                   const CompareOptions &options) {
-    const auto write = [&](const SceneTable &layout) {
-        out << "\n**" << layout.title << "**\n\n";
-        TableOf(results, layout).PrintMarkdown(out);
-        out << '\n';
-        for (const std::string &line : layout.legend)
-            out << line << ".\n";
-    };
-    if (options.verify) {
-        write(VerifyTable());
-        return;
-    }
-    if (options.time) {
-        WriteHeadline(out, results);
-        WriteTimes(out, results, options.repeat);
-    }
-    for (const SceneTable &table : {TestTable(), BudgetTable(), EventTable()})
-        write(table);
-    if (!options.worker.structure.empty())
-        write(ModeTable());
 }
 
 } // namespace testbed

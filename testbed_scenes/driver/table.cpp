@@ -136,46 +136,4 @@ void Table::Print(std::ostream &out, bool colour) const {
     }
 }
 
-void Table::PrintMarkdown(std::ostream &out) const {
-    for (const Column &column : m_columns)
-        out << "| " << column.group << (column.group.empty() ? "" : ": ") << column.name << ' ';
-    out << "|\n| ---";
-    for (size_t i = 1; i < m_columns.size(); ++i)
-        out << " | ---:";
-    out << " |\n";
-    for (const auto &row : m_rows) {
-        for (const Cell &cell : row)
-            out << "| " << (cell.text == "-" ? "" : cell.text) << ' ';
-        out << "|\n";
-    }
-}
-
-void WriteCsv(std::ostream &out, const nlohmann::json &rows, const CsvColumns &columns) {
-    constexpr int kCsvDigits = 9;
-    const char *comma = "";
-    for (const auto &column : columns) {
-        out << comma << column.first;
-        comma = ",";
-    }
-    out << '\n';
-    for (const nlohmann::json &row : rows) {
-        comma = "";
-        for (const auto &column : columns) {
-            out << comma;
-            comma = ",";
-            const nlohmann::json value =
-                row.value(nlohmann::json::json_pointer(column.second), nlohmann::json());
-            if (value.is_string())
-                out << value.get<std::string>();
-            else if (value.is_boolean())
-                out << (value.get<bool>() ? 1 : 0);
-            else if (value.is_number_float())
-                out << General(value.get<double>(), kCsvDigits);
-            else if (!value.is_null())
-                out << value.dump();
-        }
-        out << '\n';
-    }
-}
-
 } // namespace testbed

@@ -5,10 +5,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 namespace testbed {
 
@@ -29,9 +26,8 @@ enum class Style { Plain, Good, Bad, Faint, Strong };
 /// The text in its colour; the text alone where colours are not wanted.
 std::string Styled(const std::string &text, Style style, bool colour);
 
-/// Rows under columns: in plain text with two header lines (the upper one names groups of columns), or as
-/// Markdown, where a group stands before the name and what is "-" is empty. Numbers to the right, the first
-/// column to the left.
+/// Rows under columns, in plain text with two header lines: the upper one names groups of columns. Numbers
+/// to the right, the first column to the left.
 class Table {
 public:
     struct Cell {
@@ -43,7 +39,6 @@ public:
     void AddColumn(const std::string &group, const std::string &name);
     void AddRow(std::vector<Cell> cells);
     void Print(std::ostream &out, bool colour) const;
-    void PrintMarkdown(std::ostream &out) const;
 
 private:
     struct Column {
@@ -56,11 +51,6 @@ private:
     std::vector<Column> m_columns;
     std::vector<std::vector<Cell>> m_rows;
 };
-
-/// The columns of a CSV file: a heading, and the JSON pointer of its value in a row.
-using CsvColumns = std::vector<std::pair<std::string, std::string>>;
-/// A line of headings, and one for each row of a JSON array. What a row lacks, or has as null, is empty.
-void WriteCsv(std::ostream &out, const nlohmann::json &rows, const CsvColumns &columns);
 
 } // namespace testbed
 

@@ -22,10 +22,6 @@ std::string Quote(const std::string &line) {
     return "\"" + (line.size() > kQuotedLength ? line.substr(0, kQuotedLength) + "..." : line) + "\"";
 }
 
-bool IsHash(const std::string &word) {
-    return !word.empty() && word.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
-
 } // namespace
 
 std::vector<SceneInfo> ParseSceneList(const std::string &text) {
@@ -51,16 +47,6 @@ std::vector<SceneInfo> ParseSceneList(const std::string &text) {
 
 bool IsStepLine(const std::string &line) {
     return StartsWith(line, kStepPrefix);
-}
-
-StepHash ParseStepLine(const std::string &line) {
-    std::istringstream words(line.substr(sizeof kStepPrefix - 1));
-    StepHash hash;
-    std::string rest;
-    if (!(words >> hash.step >> hash.bodies >> hash.contacts >> hash.events) || words >> rest ||
-        !IsHash(hash.bodies) || !IsHash(hash.contacts) || !IsHash(hash.events))
-        throw WorkerError("printed a step that cannot be read: " + Quote(line));
-    return hash;
 }
 
 bool IsSummaryLine(const std::string &line) {
@@ -131,11 +117,9 @@ const char *NameOf(Side side) {
     case Side::Accelerated:
         return "accelerated";
     case Side::Off:
-        return "off";
-    case Side::Verify:
         break;
     }
-    return "verify";
+    return "off";
 }
 
 Side StockFor(const SceneInfo &scene) {
@@ -186,8 +170,6 @@ std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
     auto preloaded = [&preload](const std::string &library) {
         preload += (preload.empty() ? "" : ":") + library;
     };
-    if (request.side == Side::Verify)
-        mode = "verify";
     if (request.side == Side::Off)
         mode = "off";
     if (request.side == Side::Preloaded) {
@@ -242,8 +224,6 @@ std::unique_ptr<Process> Workers::Start(const WorkerRequest &request, const Work
         add("--size", std::to_string(*options.size));
     if (options.seed)
         add("--seed", std::to_string(*options.seed));
-    if (!options.listener.empty())
-        add("--listener", options.listener);
     arguments.insert(arguments.end(), request.extra.begin(), request.extra.end());
 
     return std::make_unique<Process>(std::move(arguments), EnvironmentOf(request, options),
@@ -256,8 +236,6 @@ nlohmann::json Workers::Summarise(const WorkerRequest &request, const WorkerOpti
     const std::unique_ptr<Process> process = Start(request, options, [&summary](const std::string &line) {
         if (IsSummaryLine(line))
             summary = ParseSummaryLine(line);
-        else if (!IsStepLine(line))
-            ParseDumpLine(line); // throws on what is no field either
     });
     RunAll({process.get()}, onTick);
     if (!process->Succeeded())

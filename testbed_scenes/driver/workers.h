@@ -14,8 +14,7 @@
 #include "process.h"
 
 /// @file
-/// What workers print, read. Workers write for this program alone, so whatever they print that is not
-/// expected is an error (WorkerError, which quotes the line), never something to skip.
+/// The worker programs: how they are started, and how what they print is read.
 
 namespace testbed {
 
@@ -35,18 +34,8 @@ struct SceneInfo {
 
 std::vector<SceneInfo> ParseSceneList(const std::string &text);
 
-/// `step <i> <bodies> <contacts> <events>`: the hashes stay text, they are only ever compared.
-struct StepHash {
-    int64_t step = 0;
-    std::string bodies, contacts, events;
-    bool operator==(const StepHash &other) const {
-        return step == other.step && bodies == other.bodies && contacts == other.contacts &&
-               events == other.events;
-    }
-};
-
+/// `step <i> <bodies> <contacts> <events>`, where the last three are hashes.
 bool IsStepLine(const std::string &line);
-StepHash ParseStepLine(const std::string &line);
 
 bool IsSummaryLine(const std::string &line);
 nlohmann::json ParseSummaryLine(const std::string &line);
@@ -70,9 +59,8 @@ std::optional<double> NumberAt(const nlohmann::json &json, const std::string &po
 /// Stock Box2D, or Box2D with the plugin: never in one process. Plugin: the program that was linked
 /// with it. Preloaded: stock's program, with the plugin in
 /// LD_PRELOAD. Accelerated: a program with a Box2D inside that boomerang_accelerate was called for, where one
-/// was built. Verify: as Plugin, but everything is computed twice. Off: as Plugin, but told to be off, which
-/// leaves polygons of any size and nothing else.
-enum class Side { Stock, Plugin, Preloaded, Accelerated, Verify, Off };
+/// was built. Off: as Plugin, but told to be off, which leaves polygons of any size and nothing else.
+enum class Side { Stock, Plugin, Preloaded, Accelerated, Off };
 
 const char *NameOf(Side side);
 /// The side that the plugin's is held against: stock, or the plugin told to be off where stock Box2D does not
@@ -86,9 +74,6 @@ struct WorkerOptions {
     /// For the plugin's worker alone: the structure of the paper that holds every pair. Empty: as games have
     /// it.
     std::string structure;
-    /// What the worlds' contact listener does: "counts", "reads", "acts" or "records"; empty or "none": there
-    /// is none.
-    std::string listener;
 };
 
 /// One run of a worker.

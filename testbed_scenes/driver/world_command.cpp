@@ -9,7 +9,7 @@
 
 #include <unistd.h>
 
-#include "output_file.h"
+#include "drawing/whole_file.h"
 #include "progress.h"
 #include "table.h"
 #include "worlds/world.h"
@@ -235,7 +235,8 @@ WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
 }
 
 int Perform(const WorldCommand &command) {
-    OutputFile json(command.json);
+    if (!command.json.empty())
+        CheckWritable(command.json);
     std::vector<WorldFigures> runs;
     if (!command.growth.empty()) {
         runs = MeasureGrowth(command);
@@ -245,12 +246,11 @@ int Perform(const WorldCommand &command) {
         if (!command.quiet)
             Print(runs.front(), WantsColour(STDOUT_FILENO));
     }
-    nlohmann::json list = nlohmann::json::array();
-    for (const WorldFigures &run : runs)
-        list.push_back(ToJson(run));
-    if (json.IsWanted()) {
-        json.Stream() << list.dump(1) << '\n';
-        json.Close();
+    if (!command.json.empty()) {
+        nlohmann::json list = nlohmann::json::array();
+        for (const WorldFigures &run : runs)
+            list.push_back(ToJson(run));
+        WriteWholeFile(command.json, list.dump(1) + "\n");
     }
     const bool overlap = std::any_of(runs.begin(), runs.end(), [](const WorldFigures &run) {
         return run.choice.response.kind != BMR_RESPONSE_PASS && run.check && run.check->overlaps > 0;

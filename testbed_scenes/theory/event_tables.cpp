@@ -5,75 +5,29 @@
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
-#include <stdexcept>
 
 namespace testbed {
-namespace {
 
-const char *const kQuantityNames[] = {"events", "lines", "touched", "work", "handovers"};
-
-nlohmann::json Number(double value) {
-    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
-
-/// A line as "owner:angle:offset": the angle in radians in the owner's frame.
-void WriteLine(std::ostream &out, const bmr_kds_proof &proof, bool exists) {
-    if (!exists) {
-        out << '-';
-        return;
-    }
-    out << (proof.owner == 0 ? 'A' : 'B') << ':' << std::atan2(proof.line.normal.y, proof.line.normal.x)
-        << ':' << proof.line.offset;
-}
-
-/// How far the other body's polygon is beyond a line at a pose, every vertex looked at.
-double SlackOf(const bmr_simulation_event &event, const bmr_polygon *a, const bmr_polygon *b) {
-    const bmr_kds_proof &proof = event.after;
-    const bmr_polygon *other = proof.owner == 0 ? b : a;
-    const bmr_pose otherInOwner = proof.owner == 0 ? event.pose : bmr_pose_inverse(&event.pose);
-    double least = INFINITY;
-    for (uint32_t i = 0; i < other->count; ++i)
-        least = std::min(least, bmr_dot(proof.line.normal, bmr_transform(&otherInOwner, other->vertices[i])));
-    return least - proof.line.offset;
-}
-
-} // namespace
-
-Quantity QuantityNamed(const std::string &name) {
-    for (size_t i = 0; i < std::size(kQuantityNames); ++i)
-        if (name == kQuantityNames[i])
-            return static_cast<Quantity>(i);
-    throw std::invalid_argument("there is no quantity \"" + name + "\"");
-}
-
-double QuantityOf(const Run &run, Quantity quantity) {
-    switch (quantity) {
-    case Quantity::Events:
-        break;
-    case Quantity::Lines:
-        return static_cast<double>(run.outcome.run.lines);
-    case Quantity::Touched:
-        return static_cast<double>(run.outcome.run.counts.touched);
-    case Quantity::Work:
-        return static_cast<double>(run.outcome.run.counts.failure_times);
-    case Quantity::Handovers:
-        return static_cast<double>(run.outcome.run.counts.events[BMR_KDS_HANDOVER]);
-    }
+double EventsOf(const Run &run) {
     return static_cast<double>(run.outcome.run.events);
 }
 
+double LinesOf(const Run &run) {
+    return static_cast<double>(run.outcome.run.lines);
+}
+
 std::optional<double> MeanOver(const std::vector<Run> &runs, const std::string &motion,
-                               const bmr_kds_info *structure, size_t ratioIndex, Quantity quantity) {
+                               const bmr_kds_info *structure, size_t ratioIndex, Count count) {
     double sum = 0.0;
-    int count = 0;
+    int found = 0;
     for (const Run &run : runs)
         if (run.motion == motion && run.structure == structure && run.ratioIndex == ratioIndex) {
-            sum += QuantityOf(run, quantity);
-            ++count;
+            sum += count(run);
+            ++found;
         }
-    if (count == 0)
+    if (found == 0)
         return std::nullopt;
-    return sum / count;
+    return sum / found;
 }
 
 std::optional<double> MeanOptimum(const std::vector<Run> &runs, const std::string &motion,
@@ -102,7 +56,7 @@ std::optional<double> OverOptimum(const std::vector<Run> &runs, const bmr_kds_in
     double logs = 0.0;
     int count = 0;
     for (const std::string &motion : MotionsOf(runs)) {
-        const std::optional<double> lines = MeanOver(runs, motion, structure, ratioIndex, Quantity::Lines),
+        const std::optional<double> lines = MeanOver(runs, motion, structure, ratioIndex, LinesOf),
                                     optimum = MeanOptimum(runs, motion, ratioIndex);
         if (!lines || !optimum)
             return std::nullopt;
@@ -172,13 +126,13 @@ BoundVerdict VerdictOn(const Growth &growth, const std::vector<double> &ratios,
 }
 
 std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &motion,
-                               const bmr_kds_info *structure, Quantity quantity) {
+                               const bmr_kds_info *structure) {
     std::vector<double> ratios, values;
     Growth growth;
     for (const Run &run : runs)
         if (run.motion == motion && run.structure == structure && std::isfinite(run.ratio)) {
             ratios.push_back(run.ratio);
-            values.push_back(QuantityOf(run, quantity));
+            values.push_back(EventsOf(run));
             growth.bound = BoundFor(*structure, run.rigid, run.convex);
         }
     std::vector<double> different = ratios;
@@ -267,86 +221,33 @@ std::vector<const bmr_kds_info *> StructuresOf(const std::vector<Run> &runs) {
     return structures;
 }
 
-nlohmann::json ToJson(const std::vector<Run> &runs) {
-    nlohmann::json list = nlohmann::json::array();
+void WriteCsv(std::ostream &out, const std::vector<Run> &runs) {
+    constexpr int kDigits = 9;
+    out << "motion,structure,n,ratio,seed,events,outside,lines,touched,failure_times,external,conditions,"
+           "pair_bytes,hysteresis,optimum,wanted_ratio";
+    for (int kind = 0; kind < BMR_KDS_NONE; ++kind)
+        out << ',' << bmr_kds_event_name(static_cast<bmr_kds_event_kind>(kind));
+    out << '\n' << std::setprecision(kDigits);
+    const auto writeFinite = [&out](double value) {
+        if (std::isfinite(value))
+            out << value;
+        out << ',';
+    };
     for (const Run &run : runs) {
         const bmr_simulation_counts &counts = run.outcome.run.counts;
-        nlohmann::json kinds;
-        for (int kind = 0; kind < BMR_KDS_NONE; ++kind)
-            kinds[bmr_kds_event_name(static_cast<bmr_kds_event_kind>(kind))] = counts.events[kind];
-        nlohmann::json entry = {{"motion", run.motion},
-                                {"structure", run.structure->name},
-                                {"n", run.n},
-                                {"ratio", Number(run.ratio)},
-                                {"wanted_ratio", run.wantedRatio},
-                                {"seed", run.seed},
-                                {"rigid", run.rigid},
-                                {"convex", run.convex},
-                                {"events", run.outcome.run.events},
-                                {"outside", run.outcome.outsideEvents},
-                                {"lines", run.outcome.run.lines},
-                                {"touched", counts.touched},
-                                {"failure_times", counts.failure_times},
-                                {"external", counts.external},
-                                {"conditions", counts.conditions},
-                                {"pair_bytes", counts.pair_bytes},
-                                {"kinds", kinds}};
-        const bmr_qualities &qualities = run.outcome.run.qualities;
-        entry["qualities"] = {{"conditions", qualities.conditions}, {"bytes", qualities.bytes},
-                              {"touched", qualities.touched},       {"touched_most", qualities.touched_most},
-                              {"replanned", qualities.replanned},   {"efficiency", qualities.efficiency}};
-        const bmr_hysteresis &hysteresis = run.outcome.run.hysteresis;
-        entry["hysteresis"] = {{"both", Number(hysteresis.both)},
-                               {"displacement", Number(hysteresis.displacement)},
-                               {"rotation", Number(hysteresis.rotation)}};
-        entry["optimum"] = nullptr;
+        out << run.motion << ',' << run.structure->name << ',' << run.n << ',';
+        writeFinite(run.ratio);
+        out << run.seed << ',' << run.outcome.run.events << ',' << run.outcome.outsideEvents << ','
+            << run.outcome.run.lines << ',' << counts.touched << ',' << counts.failure_times << ','
+            << counts.external << ',' << counts.conditions << ',' << counts.pair_bytes << ',';
+        writeFinite(run.outcome.run.hysteresis.both);
         if (run.optimum)
-            entry["optimum"] = {{"least", run.optimum->least}, {"found", run.optimum->found}};
-        list.push_back(std::move(entry));
+            out << run.optimum->least;
+        out << ',' << run.wantedRatio;
+        for (int kind = 0; kind < BMR_KDS_NONE; ++kind)
+            out << ',' << counts.events[kind];
+        out << '\n';
     }
-    return list;
-}
-
-std::vector<std::pair<std::string, std::string>> EventColumns() {
-    std::vector<std::pair<std::string, std::string>> columns;
-    for (const char *name : {"motion", "structure", "n", "ratio", "seed", "events", "outside", "lines",
-                             "touched", "failure_times", "external", "conditions", "pair_bytes"})
-        columns.emplace_back(name, std::string("/") + name);
-    columns.insert(columns.end(), {{"hysteresis", "/hysteresis/both"},
-                                   {"optimum", "/optimum/least"},
-                                   {"wanted_ratio", "/wanted_ratio"}});
-    for (int kind = 0; kind < BMR_KDS_NONE; ++kind) {
-        const std::string name = bmr_kds_event_name(static_cast<bmr_kds_event_kind>(kind));
-        columns.emplace_back(name, "/kinds/" + name);
-    }
-    return columns;
-}
-
-void WriteTraceHeader(std::ostream &out) {
-    out << "# motion structure D/sigma seed time kind level-before level-after touched line-before "
-           "line-after "
-           "separation\n"
-           "# a line: the body it is fixed in, the angle of its normal there, its offset; separation: what "
-           "the "
-           "new line proves\n";
-}
-
-void WriteTraceLine(std::ostream &out, const Run &run, const bmr_simulation_event &event) {
-    const bmr_kds_event_kind kind = event.report.kind;
-    const bool hadLine = kind != BMR_KDS_START && kind != BMR_KDS_LEAVE, hasLine = event.report.apart;
-    out << run.motion << ' ' << run.structure->name << ' ' << std::setprecision(6) << run.ratio << ' '
-        << run.seed << ' ' << std::setprecision(17) << event.time << ' ' << bmr_kds_event_name(kind) << ' '
-        << event.report.level_before << ' ' << event.report.level_after << ' ' << event.report.touched << ' '
-        << std::setprecision(9);
-    WriteLine(out, event.before, hadLine);
-    out << ' ';
-    WriteLine(out, event.after, hasLine);
-    out << ' ';
-    if (hasLine)
-        out << SlackOf(event, run.bodies[0]->Polygon(), run.bodies[1]->Polygon());
-    else
-        out << 0;
-    out << '\n';
 }
 
 } // namespace testbed

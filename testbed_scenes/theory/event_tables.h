@@ -8,27 +8,19 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "theory/experiment.h"
 
 namespace testbed {
 
-/// What a table counts of each run.
-enum class Quantity {
-    Events,   ///< certificates that failed
-    Lines,    ///< separating lines that were replaced by others
-    Touched,  ///< cells, levels and features that the repairs looked at
-    Work,     ///< failure times computed
-    Handovers ///< of the events, those in which a spare line took over
-};
-/// "events", "lines", "touched", "work", "handovers"; throws std::invalid_argument.
-Quantity QuantityNamed(const std::string &name);
-double QuantityOf(const Run &run, Quantity quantity);
+/// What a table counts of each run: certificates that failed, or separating lines that were replaced by
+/// others.
+using Count = double (*)(const Run &run);
+double EventsOf(const Run &run);
+double LinesOf(const Run &run);
 
 /// The mean over seeds of one motion, structure and ratio; nothing where it did not run.
 std::optional<double> MeanOver(const std::vector<Run> &runs, const std::string &motion,
-                               const bmr_kds_info *structure, size_t ratioIndex, Quantity quantity);
+                               const bmr_kds_info *structure, size_t ratioIndex, Count count = EventsOf);
 
 /// The mean size of the offline optimum's covers (the lower bound) of one motion and ratio.
 std::optional<double> MeanOptimum(const std::vector<Run> &runs, const std::string &motion, size_t ratioIndex);
@@ -69,7 +61,7 @@ const char *NameOf(Bound bound);
 std::string TextOf(const Growth &growth);
 /// Nothing where there are fewer than three ratios with events.
 std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &motion,
-                               const bmr_kds_info *structure, Quantity quantity);
+                               const bmr_kds_info *structure);
 
 /// The four qualities of a kinetic structure over many runs: the most of what is compact and local, the mean
 /// of what is responsive and efficient.
@@ -83,13 +75,8 @@ QualitySummary QualitiesOver(const std::vector<Run> &runs, const bmr_kds_info *s
 std::vector<std::string> MotionsOf(const std::vector<Run> &runs);
 std::vector<const bmr_kds_info *> StructuresOf(const std::vector<Run> &runs);
 
-nlohmann::json ToJson(const std::vector<Run> &runs);
-/// What a CSV file has of a run: headings, and where the value is in its JSON.
-std::vector<std::pair<std::string, std::string>> EventColumns();
-
-/// A trace: one line an event (see TraceHeader).
-void WriteTraceHeader(std::ostream &out);
-void WriteTraceLine(std::ostream &out, const Run &run, const bmr_simulation_event &event);
+/// A line of headings, and one for each run. What a run does not have, or has as no finite number, is empty.
+void WriteCsv(std::ostream &out, const std::vector<Run> &runs);
 
 } // namespace testbed
 

@@ -59,15 +59,10 @@ public:
         m_common.ratio = course.Separation() > 0.0 ? course.Diameter() / course.Separation() : INFINITY;
     }
 
-    void Perform(const bmr_kds_info &structure,
-                 const std::function<void(const Run &, const bmr_simulation_event &)> &observer) {
+    void Perform(const bmr_kds_info &structure) {
         Run run = m_common;
         run.structure = &structure;
-        EventObserver perEvent;
-        if (observer)
-            perEvent = [&run, &observer](const bmr_simulation_event &event) { observer(run, event); };
-        run.outcome =
-            Follow(m_course, structure, DefFor(m_course, m_experiment.def), m_experiment.audit, perEvent);
+        run.outcome = Follow(m_course, structure, DefFor(m_course, m_experiment.def), m_experiment.audit);
         m_runs.push_back(std::move(run));
     }
 
@@ -80,8 +75,7 @@ private:
 
 } // namespace
 
-std::vector<Run> Perform(const Experiment &experiment, const ExperimentProgress &progress,
-                         const std::function<void(const Run &, const bmr_simulation_event &)> &observer) {
+std::vector<Run> Perform(const Experiment &experiment, const ExperimentProgress &progress) {
     struct Job {
         size_t motion, ratio;
         uint64_t seed;
@@ -102,8 +96,6 @@ std::vector<Run> Perform(const Experiment &experiment, const ExperimentProgress 
     for (const Job &job : jobs) {
         const Bodies bodies = MakeBodies(experiment, job.seed);
         Run common;
-        common.bodies[0] = bodies.a;
-        common.bodies[1] = bodies.b;
         common.seed = job.seed;
         common.ratioIndex = job.ratio;
         common.wantedRatio = ownMotion ? 0.0 : experiment.ratios[job.ratio];
@@ -124,7 +116,7 @@ std::vector<Run> Perform(const Experiment &experiment, const ExperimentProgress 
         for (const bmr_kds_info *structure : experiment.structures) {
             progress(common.motion + ", " + structure->name, done++, total);
             if (Takes(*structure, *course))
-                courseRuns.Perform(*structure, observer);
+                courseRuns.Perform(*structure);
         }
         if (experiment.onCourse)
             experiment.onCourse(*course, common.motion, job.ratio, job.seed);

@@ -43,7 +43,6 @@ struct Run {
     uint64_t seed = 0;
     std::vector<Contact> contacts; ///< of the course, whatever its structure; then the ratio is INFINITY
     bool rigid = false, convex = false;
-    std::shared_ptr<const Body> bodies[2];
     Outcome outcome;
     std::optional<bmr_optimum> optimum; ///< the best offline cover of this course
 };
@@ -51,9 +50,8 @@ struct Run {
 /// Called before each run.
 using ExperimentProgress = std::function<void(const std::string &what, size_t done, size_t total)>;
 
-/// Runs it all. `observer`, if any, sees every event of every run.
-std::vector<Run> Perform(const Experiment &experiment, const ExperimentProgress &progress,
-                         const std::function<void(const Run &, const bmr_simulation_event &)> &observer = {});
+/// Runs it all.
+std::vector<Run> Perform(const Experiment &experiment, const ExperimentProgress &progress);
 
 } // namespace testbed
 

@@ -37,8 +37,7 @@ std::vector<Run> RunsWith(const char *structure, bool rigid, bool convex,
 BoundVerdict VerdictOf(const char *structure, bool rigid, bool convex,
                        const std::function<double(double)> &events) {
     const std::vector<Run> runs = RunsWith(structure, rigid, convex, events);
-    const std::optional<Growth> growth =
-        GrowthOf(runs, "made-up", test_structure(structure), Quantity::Events);
+    const std::optional<Growth> growth = GrowthOf(runs, "made-up", test_structure(structure));
     REQUIRE(growth);
     return growth->verdict;
 }
@@ -77,8 +76,7 @@ TEST_CASE("an interval that reaches the bound confirms nothing") {
     CHECK(VerdictOf("lazy-dudley", false, false, shaky) == BoundVerdict::Open);
     CHECK(VerdictOf("lazy-dudley", true, false, shaky) == BoundVerdict::Holds); // far below 1
     const std::vector<Run> runs = RunsWith("lazy-dudley", false, false, shaky);
-    const std::string text =
-        TextOf(*GrowthOf(runs, "made-up", test_structure("lazy-dudley"), Quantity::Events));
+    const std::string text = TextOf(*GrowthOf(runs, "made-up", test_structure("lazy-dudley")));
     CHECK(text.substr(text.size() - 7) == " <1/2 ?");
 }
 
@@ -101,27 +99,16 @@ TEST_CASE("the bounds are those of Table 1") {
 
 TEST_CASE("the exponent fitted is that of the growth, and rivals have no bound") {
     const std::vector<Run> runs = RunsWith("closest-features", false, false, Root);
-    const std::optional<Growth> growth =
-        GrowthOf(runs, "made-up", test_structure("closest-features"), Quantity::Events);
+    const std::optional<Growth> growth = GrowthOf(runs, "made-up", test_structure("closest-features"));
     REQUIRE(growth);
     CHECK(growth->fit.exponent == doctest::Approx(0.5).epsilon(0.02));
     CHECK(growth->verdict == BoundVerdict::None);
 }
 
-TEST_CASE("handovers are counted apart from the events that they are") {
-    std::vector<Run> runs = RunsWith("two-lines", false, true, [](double) { return 100.0; });
-    for (Run &run : runs)
-        run.outcome.run.counts.events[BMR_KDS_HANDOVER] = 7;
-    const bmr_kds_info *structure = test_structure("two-lines");
-    CHECK(*MeanOver(runs, "made-up", structure, 0, QuantityNamed("handovers")) == 7.0);
-    CHECK(*MeanOver(runs, "made-up", structure, 0, QuantityNamed("events")) == 106.0);
-    CHECK_THROWS_AS(QuantityNamed("hangovers"), std::invalid_argument);
-}
-
 TEST_CASE("two ratios are too few for a growth") {
     std::vector<Run> runs = RunsWith("lazy-compass", false, false, Root);
     runs.resize(6);
-    CHECK_FALSE(GrowthOf(runs, "made-up", test_structure("lazy-compass"), Quantity::Events));
+    CHECK_FALSE(GrowthOf(runs, "made-up", test_structure("lazy-compass")));
 }
 
 TEST_CASE("lines over optimum leaves the first line of both out") {

@@ -65,13 +65,6 @@ CMAKE
     cmake -P "$scratch/get.cmake" 2>>"$scratch/err"
 }
 
-json_is() {
-    local file=$1 wanted=$2 got
-    shift 2
-    got=$(json_get "$file" "$@") || { fail "no $* in $file"; return; }
-    [ "$got" = "$wanted" ] || fail "$* is \"$got\", not \"$wanted\""
-}
-
 json_number() {
     local got
     got=$(json_get "$@") || { fail "no ${*:2} in $1"; return; }

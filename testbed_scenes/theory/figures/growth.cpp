@@ -46,8 +46,7 @@ Plot PlotOf(bmr_family family, const std::string &title, bool logarithmic) {
         PlotSeries series = {wanted.label, {}, ink::Series(index), index};
         ++index;
         for (size_t i = 0; i < experiment.ratios.size(); ++i)
-            if (const std::optional<double> mean =
-                    MeanOver(runs, bmr_family_name(family), info, i, Quantity::Events))
+            if (const std::optional<double> mean = MeanOver(runs, bmr_family_name(family), info, i))
                 series.points.push_back({experiment.ratios[i], *mean});
         if (!(logarithmic && info->role == BMR_KDS_RIVAL))
             plot.series.push_back(std::move(series));
