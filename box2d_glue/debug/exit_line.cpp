@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "boomerang/box2d_glue.h"
-#include "debug/event.h"
+#include "debug/statistics.h"
 #include "start/install.h"
 #include "start/process.h"
 #include "start/recognise.h"

@@ -9,10 +9,10 @@
 #include <box2d/b2_fixture.h>
 
 #include "convex32/convex32_collide.h"
+#include "glue/contacts/convex_contact.h"
 #include "glue/contacts/polygon_contact.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
-#include "glue/proofs/polygon_view.h"
 #include "glue/proofs/thresholds.h"
 #include "start/settings.h"
 

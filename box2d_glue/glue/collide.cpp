@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "glue/collide.h"
+#include "glue/passes.h"
 
 #include <cstdint>
 #include <initializer_list>
@@ -10,7 +10,6 @@
 #include "base/compiler.h"
 #include "base/rounding_mode.h"
 #include "debug/exit_line.h"
-#include "glue/contact_access.h"
 #include "glue/contact_update.h"
 #include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"

@@ -1,20 +1,94 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_GLUE_CONTACT_LOOK_H
-#define BOOMERANG_GLUE_CONTACT_LOOK_H
+#ifndef BOOMERANG_GLUE_CONTACT_UPDATE_H
+#define BOOMERANG_GLUE_CONTACT_UPDATE_H
+
+#include <cstring>
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_collision.h>
 #include <box2d/b2_contact_manager.h>
+#include <box2d/b2_fixture.h>
 #include <box2d/b2_world_callbacks.h>
 
-#include "glue/contact_access.h"
-
-class b2Contact;
+#include "base/private_members.h"
+#include "base/rounding_mode.h"
+#include "glue/pairs/pair_table.h"
+#include "glue/pairs/pair_tables.h"
+#include "start/current_step.h"
+#include "start/process.h"
+#include "start/recognise.h"
 
 /// @file
-/// What passes ask and do of one contact.
+/// What passes ask of a game, and what they ask and do of one contact.
 
 namespace bmr {
+
+/// Is it a listener or a filter of the game's own? Those that worlds begin with are Box2D's, and do nothing.
+/// A bmr::ContactRecorder is not one of them: Box2D calls it, and it reads the contact of the call, the
+/// contact's fixtures and their bodies, but calls and changes nothing.
+inline bool IsOfGame(const b2ContactListener *listener) {
+    return listener != nullptr && listener != ListenerOfNewWorlds() && !IsRecorder(*listener);
+}
+inline bool IsOfGame(const b2ContactFilter *filter) {
+    return filter != nullptr && filter != FilterOfNewWorlds();
+}
+
+/// Has the world a listener or a filter of the game's?
+inline bool HasCodeOfGame(const b2ContactManager &manager) {
+    return IsOfGame(manager.m_contactListener) || IsOfGame(manager.m_contactFilter);
+}
+
+/// Behind the pass over pairs, ahead of a call of the game's code: what was read before may be another when
+/// it is done.
+inline void BeforeGame(const b2ContactManager *manager) {
+    if (Ledger *ledger = FindLedger(manager))
+        ledger->Owed().BeforeGame();
+    GameRan() = true;
+}
+
+/// Is the function's first instruction its return? False where the processor's code is not known here.
+inline bool ReturnsAtOnce(const void *function) {
+#if defined(__x86_64__) && defined(__linux__)
+    const unsigned char *code = static_cast<const unsigned char *>(function);
+    constexpr unsigned char kBranchTarget[] = {0xf3, 0x0f, 0x1e, 0xfa}, kReturn = 0xc3; // endbr64, ret
+    if (std::memcmp(code, kBranchTarget, sizeof kBranchTarget) == 0)
+        code += sizeof kBranchTarget;
+    return *code == kReturn;
+#else
+    return function == nullptr;
+#endif
+}
+
+/// Does a listener's class have a PreSolve of its own (or a PostSolve, below)? Most games listen to
+/// BeginContact and EndContact alone, and inherit the others, which do nothing. Read from the tables of
+/// virtual functions, which hold two destructors and then, in their order, BeginContact, EndContact, PreSolve
+/// and PostSolve. What is inherited is Box2D's function, or the game's copy of it, for it is inline. True if
+/// that is not certain.
+inline bool HasOwn(const b2ContactListener &listener, int slot) {
+    const b2ContactListener *const empty = ListenerOfNewWorlds();
+    if (empty == nullptr)
+        return true;
+    void *const *table, *const *emptyTable;
+    std::memcpy(&table, static_cast<const void *>(&listener), sizeof table);
+    std::memcpy(&emptyTable, static_cast<const void *>(empty), sizeof emptyTable);
+    return table[slot] != emptyTable[slot] && !ReturnsAtOnce(table[slot]);
+}
+inline bool HasOwnPreSolve(const b2ContactListener &listener) {
+    return HasOwn(listener, 4);
+}
+inline bool HasOwnPostSolve(const b2ContactListener &listener) {
+    return HasOwn(listener, 5);
+}
+
+/// Do bodies, joints and the game's filter let the two collide?
+inline bool PassesFilters(const b2ContactManager *manager, b2Fixture *fixtureA, b2Fixture *fixtureB) {
+    const b2Body *bodyA = fixtureA->GetBody(), *bodyB = fixtureB->GetBody();
+    const bool passes =
+        (bodyB->*Named(ShouldCollide()))(bodyA) &&
+        (manager->m_contactFilter == nullptr || manager->m_contactFilter->ShouldCollide(fixtureA, fixtureB));
+    AskRoundingAgain();
+    return passes;
+}
 
 inline bool IsActive(const b2Body *body) {
     return body->IsAwake() && body->GetType() != b2_staticBody;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "glue/find_pairs.h"
+#include "glue/passes.h"
 
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_contact.h>
@@ -8,7 +8,7 @@
 
 #include "base/private_members.h"
 #include "debug/verify.h"
-#include "glue/contact_access.h"
+#include "glue/contact_update.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
 #include "start/settings.h"

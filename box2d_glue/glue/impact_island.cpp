@@ -5,7 +5,6 @@
 #include <box2d/b2_fixture.h>
 
 #include "base/private_members.h"
-#include "glue/contact_access.h"
 #include "glue/contact_update.h"
 #include "glue/impacts.h"
 #include "glue/sweeps.h"

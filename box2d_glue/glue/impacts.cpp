@@ -8,11 +8,10 @@
 #include <box2d/b2_world.h>
 
 #include "base/rounding_mode.h"
-#include "glue/contact_access.h"
 #include "glue/contact_update.h"
 #include "glue/contacts/solid_contact.h"
 #include "glue/proofs/convex_distance.h"
-#include "glue/proofs/impact_scan.h"
+#include "glue/proofs/sweep_apart.h"
 #include "glue/sweeps.h"
 #include "shapes/convex_geometry.h"
 #include "solver/island_solver.h"

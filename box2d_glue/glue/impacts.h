@@ -9,7 +9,7 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
-#include "base/column.h"
+#include "base/columns.h"
 #include "glue/pairs/contact_marks.h"
 #include "glue/pairs/pair_table.h"
 

@@ -8,7 +8,7 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_joint.h>
 
-#include "glue/contact_access.h"
+#include "glue/contact_update.h"
 #include "start/box2d_asserts.h"
 #include "start/current_step.h"
 #include "start/settings.h"

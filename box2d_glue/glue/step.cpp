@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "glue/step.h"
+#include "glue/passes.h"
 
 #include <chrono>
 
-#include "base/per_thread.h"
+#include "base/memory.h"
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
-#include "glue/collide.h"
 #include "glue/impacts.h"
 #include "glue/islands.h"
 #include "glue/pairs/pair_table.h"

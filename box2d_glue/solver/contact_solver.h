@@ -9,7 +9,7 @@
 #include <box2d/b2_math.h>
 #include <box2d/b2_time_step.h>
 
-#include "base/column.h"
+#include "base/columns.h"
 
 class b2Contact;
 struct b2ContactImpulse;

@@ -6,9 +6,8 @@
 
 #include <box2d/b2_time_step.h>
 
-#include "base/column.h"
+#include "base/columns.h"
 #include "solver/contact_solver.h"
-#include "solver/joint_solver.h"
 #include "solver/ordered_contacts.h"
 
 class b2Body;

@@ -7,9 +7,9 @@
 #include <cstdlib>
 
 #include "base/memory.h"
-#include "debug/event.h"
 #include "debug/exit_line.h"
-#include "glue/proofs/hull.h"
+#include "debug/statistics.h"
+#include "glue/proofs/hull_pair.h"
 #include "glue/proofs/thresholds.h"
 
 namespace bmr {

@@ -10,7 +10,7 @@
 #include "base/compiler.h"
 #include "boomerang/box2d_glue.h"
 #include "boomerang/pair.h"
-#include "debug/counts.h"
+#include "debug/statistics.h"
 #include "start/hook_list.h"
 
 namespace bmr {

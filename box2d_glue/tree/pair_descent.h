@@ -6,8 +6,8 @@
 #include <box2d/b2_dynamic_tree.h>
 #include <box2d/b2_fixture.h>
 
-#include "base/column.h"
-#include "base/per_thread.h"
+#include "base/columns.h"
+#include "base/memory.h"
 #include "tree/box.h"
 
 /// @file

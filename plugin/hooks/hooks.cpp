@@ -13,19 +13,18 @@
 #include "boomerang/box2d_glue.h"
 #include "debug/exit_line.h"
 #include "glue/contacts/solid_contact.h"
-#include "glue/find_pairs.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
+#include "glue/passes.h"
 #include "glue/proofs/convex_distance.h"
-#include "glue/step.h"
 #include "hooks/start.h"
 #include "hooks/stock.h"
 #include "shapes/convex_draw.h"
 #include "shapes/convex_geometry.h"
 #include "start/current_step.h"
 #include "start/settings.h"
+#include "tree/edit.h"
 #include "tree/fixture_boxes.h"
-#include "tree/proxies.h"
 
 using namespace bmr;
 

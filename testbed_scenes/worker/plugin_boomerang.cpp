@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <boomerang/box2d.h>
 
-#include "debug/event.h"
 #include "debug/inspect.h"
+#include "debug/statistics.h"
 #include "stage.h"
 
 namespace testbed {

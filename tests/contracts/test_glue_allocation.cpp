@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 
 #include "as_stock.h"
-#include "base/column.h"
+#include "base/columns.h"
 #include "boomerang/contact_recorder.h"
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"

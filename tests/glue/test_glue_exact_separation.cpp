@@ -11,7 +11,7 @@
 #include "cases.h"
 #include "debug/inspect.h"
 #include "exact_polygons.h"
-#include "glue/pairs/hull_pairs.h"
+#include "glue/proofs/hull_pair.h"
 #include "glue/proofs/overlap.h"
 #include "glue/proofs/sweep_apart.h"
 #include "glue/proofs/thresholds.h"

@@ -5,7 +5,7 @@
 
 #include "boomerang/contact_recorder.h"
 #include "cases.h"
-#include "glue/contact_access.h"
+#include "glue/contact_update.h"
 #include "small_world.h"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include "box2d_shapes.h"
 #include "cases.h"
-#include "glue/pairs/hull_pairs.h"
+#include "glue/proofs/hull_pair.h"
 #include "glue/proofs/thresholds.h"
 #include "start/settings.h"
 #include "test_scale.h"

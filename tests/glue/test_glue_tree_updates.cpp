@@ -3,7 +3,7 @@
 // operation the two trees are the same to the bit, and so are their lists of free nodes.
 #include "cases.h"
 #include "test_scale.h"
-#include "tree/proxies.h"
+#include "tree/edit.h"
 #include "tree_play.h"
 
 namespace {

@@ -11,7 +11,7 @@
 
 #include "boomerang/box2d_glue.h"
 #include "cases.h"
-#include "debug/event.h"
+#include "debug/statistics.h"
 #include "leave.h"
 
 #if defined(__has_feature)

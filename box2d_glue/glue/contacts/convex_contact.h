@@ -2,10 +2,78 @@
 #ifndef BOOMERANG_GLUE_CONVEX_CONTACT_H
 #define BOOMERANG_GLUE_CONVEX_CONTACT_H
 
-#include "glue/contacts/convex_manifold.h"
+#include <algorithm>
+#include <cmath>
+
+#include <box2d/b2_collision.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_polygon_shape.h>
+
+#include "convex32/convex32_collide.h"
 #include "glue/contacts/solid_contact.h"
+#include "shapes/convex_geometry.h"
+#include "shapes/shapes32.h"
+
+class b2Contact;
+class b2Fixture;
 
 namespace bmr {
+
+/// A polygon shape as it really is: all vertices of a big ConvexShape, Box2D's own arrays of any other. Good
+/// as long as the shape is.
+inline bmr_convex32 RealPolygon(const b2PolygonShape &shape) {
+    if (const bmr_convex32_block *big = BigPolygonOf(shape))
+        return big->polygon;
+    const bmr_polygon32 small = Polygon32(shape);
+    return bmr_convex32_small(&small);
+}
+
+// Of a polygon fixture.
+inline bmr_convex32 RealPolygon(const b2Fixture &fixture) {
+    return RealPolygon(static_cast<const b2PolygonShape &>(*fixture.GetShape()));
+}
+
+inline bool IsBig(const b2Fixture &fixture) {
+    return BigPolygonOf(*fixture.GetShape()) != nullptr;
+}
+
+/// The largest distance of a vertex from the body's origin. O(vertices).
+inline double Extent(const bmr_convex32 &polygon) {
+    double most = 0.0;
+    for (uint32_t i = 0; i < polygon.count; ++i)
+        most = std::max(most, std::hypot(static_cast<double>(polygon.vertices[i].x),
+                                         static_cast<double>(polygon.vertices[i].y)));
+    return most;
+}
+
+/// Two fixtures in the order of a contact's: `a` is the polygon against a circle, and the edge or the chain
+/// against a polygon.
+struct TwoFixtures {
+    const b2Fixture *a, *b;
+    int32 childA;
+
+    float RadiusSum() const;
+};
+
+/// Of an edge, or of a link of a chain.
+bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child);
+
+enum class Seams { Known, Ignored };
+
+/// The manifold of two fixtures at least one of which is a big polygon, by all vertices. Where seams are
+/// ignored a piece of an outline is a polygon as any other.
+void CollideConvex(const TwoFixtures &two, Seams seams, b2Manifold *manifold, const b2Transform &xfA,
+                   const b2Transform &xfB, bmr_convex32_memory *memory);
+
+/// Is the first fixture or the second a piece that has inner edges?
+bool HasSeams(const TwoFixtures &two);
+
+/// The answer of a contact of a piece if the rules of seams gave it no points (convex32_pieces.h). They leave
+/// points to other pieces, of which they know nothing. Here these are asked. `manifold` gets points where the
+/// plain polygons overlap at a point that no other piece touches, and at an impact. `memory`: as the search
+/// by the rules of seams left it.
+void AnswerForOthers(const b2Contact &contact, const TwoFixtures &two, bool isImpact, b2Manifold *manifold,
+                     const b2Transform &xfA, const b2Transform &xfB, bmr_convex32_memory memory);
 
 /// A contact of a big ConvexShape with another polygon of any size, a circle, an edge or a link of a chain:
 /// the manifold of Box2D's algorithm run on all vertices.

@@ -11,7 +11,7 @@
 #include <box2d/b2_polygon_shape.h>
 
 #include "base/rounding_mode.h"
-#include "glue/contacts/convex_manifold.h"
+#include "glue/contacts/convex_contact.h"
 #include "glue/contacts/solid_contact.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"

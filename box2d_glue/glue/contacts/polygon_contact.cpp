@@ -8,7 +8,7 @@
 #include <box2d/b2_fixture.h>
 
 #include "base/rounding_mode.h"
-#include "debug/event.h"
+#include "debug/statistics.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"

@@ -6,7 +6,7 @@
 
 #include <box2d/b2_body.h>
 
-#include "base/column.h"
+#include "base/columns.h"
 
 namespace bmr {
 

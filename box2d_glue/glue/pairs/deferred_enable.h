@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "base/bit_column.h"
+#include "base/columns.h"
 #include "start/settings.h"
 
 class b2Body;

@@ -9,9 +9,8 @@
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_fixture.h>
 
-#include "base/column.h"
+#include "base/columns.h"
 #include "base/compiler.h"
-#include "base/key_table.h"
 #include "boomerang/budget.h"
 #include "glue/proofs/thresholds.h"
 

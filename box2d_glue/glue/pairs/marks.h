@@ -4,8 +4,7 @@
 
 #include <cstdint>
 
-#include "base/bit_column.h"
-#include "base/column.h"
+#include "base/columns.h"
 
 class b2Contact;
 

@@ -9,17 +9,16 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
 
-#include "base/bit_column.h"
-#include "base/column.h"
+#include "base/columns.h"
 #include "base/compiler.h"
 #include "boomerang/budget.h"
 #include "glue/pairs/bodies.h"
 #include "glue/pairs/contact_number.h"
 #include "glue/pairs/deferred_enable.h"
 #include "glue/pairs/fixture_motion.h"
-#include "glue/pairs/hull_pairs.h"
 #include "glue/pairs/marks.h"
 #include "glue/pairs/proxy_pairs.h"
+#include "glue/proofs/hull_pair.h"
 
 namespace bmr {
 

@@ -4,8 +4,7 @@
 
 #include <cstdint>
 
-#include "base/column.h"
-#include "base/key_table.h"
+#include "base/columns.h"
 
 class b2Contact;
 

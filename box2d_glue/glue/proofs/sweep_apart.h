@@ -2,10 +2,13 @@
 #ifndef BOOMERANG_GLUE_SWEEP_APART_H
 #define BOOMERANG_GLUE_SWEEP_APART_H
 
+#include <cstdint>
+
 #include <box2d/b2_math.h>
 
 #include "exact32/swept32.h"
 
+class b2Fixture;
 struct b2DistanceProxy;
 struct b2TOIInput;
 
@@ -35,6 +38,57 @@ bool NeverTouchAlong(const SweptShape &a, const SweptShape &b, bmr_vec32 directi
 
 /// NeverTouch for an input of b2TimeOfImpact. False where its tMax is not from 0 to 1.
 bool NeverTouch(const b2TOIInput &input);
+
+/// The first question of b2World::SolveTOI in a step, answered for all pairs at once: which of them can
+/// touch? Nothing moves while the scan runs. So each shape is placed once, however many pairs it is in; and
+/// one that lies where it lay in an earlier scan is not placed again.
+class ImpactScan {
+public:
+    /// Begins a scan in this thread's memory, and forgets the one before. nullptr while
+    /// the thread ends. Good until the thread begins the next one.
+    static ImpactScan *Begin();
+
+    /// One side of a contact. (Box2D keeps the sweep to itself and its friends.)
+    struct Side {
+        const b2Fixture *fixture;
+        int32 child;
+        const b2Sweep &sweep;
+        const b2Rot &rotation; ///< of sweep.a
+    };
+
+    /// Is it certain that b2TimeOfImpact would not say e_touching of them? `guess`: a direction from a to b
+    /// that may keep them apart, or zero. If `touching`, the guess is the normal along which they touch, and
+    /// no other direction is tried: most pairs that this one does not keep apart do meet.
+    bool NeverTouch(const Side &a, const Side &b, bmr_vec32 guess, bool touching);
+
+private:
+    /// All that a SweptShape is made of, of a body that stays where it is.
+    struct Resting {
+        float sweep[8]; ///< b2Sweep's members but alpha0
+        b2Rot rotation;
+        float radius;
+        int32 count; ///< of points; 0: the body moved
+        b2Vec2 points[BMR_SWEPT32_MOST];
+
+        bool IsOf(const b2DistanceProxy &proxy, const Side &side) const;
+        void Set(const b2DistanceProxy &proxy, const Side &side);
+    };
+    struct Place {
+        const b2Fixture *fixture;
+        int32 child;
+        uint64_t scan; ///< in which scan it was last asked for
+        SweptShape shape;
+        Resting resting;
+    };
+
+    // 264 KB a thread that steps worlds. Two shapes that fall on one place take turns.
+    static constexpr unsigned kPlaceBits = 9;
+    using Places = Place[1u << kPlaceBits];
+    const SweptShape &Shape(Places &places, const Side &side) const;
+
+    uint64_t m_scan;
+    Places m_ofA, m_ofB;
+};
 
 } // namespace bmr
 

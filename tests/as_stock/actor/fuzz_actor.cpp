@@ -20,7 +20,7 @@
 #include <unistd.h>
 
 #include "actor.h"
-#include "debug/event.h"
+#include "debug/statistics.h"
 #include "harness.h"
 #include "plugin.h"
 #include "serving.h"

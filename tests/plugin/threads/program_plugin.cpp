@@ -6,7 +6,7 @@
 #include <boomerang/box2d.h>
 
 #include "any_size.h"
-#include "debug/event.h"
+#include "debug/statistics.h"
 #include "program.h"
 
 namespace threads {
