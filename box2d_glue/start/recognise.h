@@ -12,8 +12,9 @@ namespace bmr {
 /// so it is tried out. A small world shows how large six records are: b2World, b2Body, b2Fixture,
 /// b2PolygonShape, b2Contact, and the user data of a b2JointDef; and three constants that are compiled into
 /// Box2D and into the glue: b2_maxPolygonVertices, b2_aabbExtension, b2_linearSlop (b2_lengthUnitsPerMeter
-/// instead of the last two, where it explains both). About 0.1 ms, once for a process, before anything of
-/// ours is registered. No step is made.
+/// instead of the last two, where it explains both). If all is well the world is stepped once, and each hook
+/// notes that it was called. About 0.1 ms, before anything of ours is registered. The answer lives until the
+/// next call.
 const char *WhyBox2DIsUnknown();
 
 /// Which of the versions that are known it is, "2.4.1" or "2.4.2": found out by what b2Distance does to the
@@ -33,20 +34,18 @@ const b2ContactFilter *FilterOfNewWorlds();
 /// library, which may meet any libbox2d, looks for the symbols. Set before Install.
 void SetLibraryCheck(const char *(*check)());
 
-/// Does the b2CollidePolygons of this process compute separations with the same bits as core/exact32? It does
-/// in builds for plain x86-64; a Box2D compiled with fused multiply-add (ARM, -march=native) rounds
-/// otherwise. Found out by asking it: pairs of boxes whose radii are set
-/// to exactly the separation that exact32 computes, and to one float less.
+/// Does the b2CollidePolygons of this process give the bits of bmr_exact32_collide? It does in builds for
+/// plain x86-64; a Box2D compiled with fused multiply-add (ARM, -march=native) rounds otherwise. Found out by
+/// asking it about pairs of polygons.
 bool Box2DRoundsAsExact32();
 
 /// Does its b2CollideEdgeAndPolygon give the bits of bmr_exact32_collide_edge? Found out on links and
 /// polygons of all kinds: a game may compile a Box2D whose rules for edges it has changed.
 bool Box2DCollidesEdgesAsExact32();
 
-/// Names a hook that Box2D does not call, in a few words; nullptr where it calls them all. A small world of
-/// this process's Box2D is stepped once, and each hook notes that it was called. Where one is not, Box2D is
-/// inside the program, or was built so that it calls its own functions without the loader. Before Install
-/// makes its settings, on a Box2D that is known; about 0.1 ms. The answer lives until the next call.
+/// Names a hook that Box2D did not call in that step, in a few words; nullptr where it called them all. Where
+/// one is not called, Box2D is inside the program, or was built so that it calls its own functions without
+/// the loader. After WhyBox2DIsUnknown. The answer lives until the next call.
 const char *WhichHookIsNotCalled();
 /// Is this thread stepping that small world?
 bool IsInTrialStep();
