@@ -18,7 +18,7 @@
 
 #include "debug/exit_line.h"
 #include "glue/contacts/convex_contact.h"
-#include "start/process.h"
+#include "start/install.h"
 #include "start/settings.h"
 #include "tree/pair_descent.h"
 
@@ -78,8 +78,6 @@ const char *FieldThatDiffers(const b2Manifold &a, const b2Manifold &b) {
     return nullptr;
 }
 
-// Counts that a forked process has from its parent.
-std::atomic<uint64_t> verifiedBefore{0}, differencesBefore{0};
 long installedIn;
 
 /// A number as it is read: 498,299.
@@ -101,22 +99,17 @@ struct Grouped {
     const char *first;
 };
 
+/// Not of a process that was forked: its counts begin with its parent's.
 void SayVerified() {
-    const uint64_t verified = GetCounts().verified - verifiedBefore;
-    if (verified == 0 && ThisProcess() != installedIn)
-        return;
-    std::fprintf(stderr, "boomerang: verified %s answers, %s differ\n", Grouped(verified).first,
-                 Grouped(GetCounts().differences - differencesBefore).first);
+    if (ThisProcess() == installedIn)
+        std::fprintf(stderr, "boomerang: verified %s answers, %s differ\n",
+                     Grouped(GetCounts().verified).first, Grouped(GetCounts().differences).first);
 }
 
 } // namespace
 
 void SayVerifiedAtExit() {
     installedIn = ThisProcess();
-    CallWhenForked([] {
-        verifiedBefore = GetCounts().verified.load();
-        differencesBefore = GetCounts().differences.load();
-    });
     CallAtEnd(SayVerified);
 }
 

@@ -40,8 +40,8 @@ void VerifyManifold(const b2Fixture *fixtureA, const b2Fixture *fixtureB, const 
 void VerifyOverlap(const b2Fixture *fixtureA, const b2Fixture *fixtureB, bool ours, bool box2d);
 
 /// When the process ends (by exit, or by returning from main), one line on stderr says how many answers were
-/// compared and how many differed, also where none was. Called once, by Install. Of a program that forks,
-/// each process that has compared any says how many it did itself.
+/// compared and how many differed, also where none was. Called once, by Install. A process that was forked
+/// afterwards says no line; its differences are said as they are found.
 void SayVerifiedAtExit();
 
 } // namespace bmr

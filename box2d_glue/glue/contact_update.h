@@ -15,7 +15,7 @@
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
 #include "start/current_step.h"
-#include "start/process.h"
+#include "start/install.h"
 #include "start/recognise.h"
 
 /// @file

@@ -7,7 +7,7 @@
 
 #include "boomerang/convex_shape.h"
 #include "shapes/convex_geometry.h"
-#include "start/process.h"
+#include "start/install.h"
 
 namespace bmr {
 
@@ -24,7 +24,7 @@ constexpr uint32_t kChunkSize = 1u << kChunkBits;
 /// by chance.
 constexpr uint64_t kScatter = 0x9e3779b97f4a7c15u;
 
-// Guarded by ProcessLock::Data.
+// Guarded by HoldsProcessLock.
 Handle firstFree = 0;
 Handle firstUnused = 1;
 uint64_t made = 0;
@@ -75,7 +75,7 @@ Handle TakeHandle() {
 } // namespace
 
 Handle Add(bmr_convex32_block *block, Group *group) {
-    const HoldsProcessLock lock(ProcessLock::Data);
+    const HoldsProcessLock lock;
     const Handle handle = TakeHandle();
     if (handle == 0)
         return 0;
@@ -94,7 +94,7 @@ void Remove(Handle handle) {
     Entry &entry = Find(handle);
     entry.number.store(0, std::memory_order_relaxed);
     bmr_convex32_destroy(entry.block.load(std::memory_order_relaxed), GetAllocator());
-    const HoldsProcessLock lock(ProcessLock::Data);
+    const HoldsProcessLock lock;
     entry.nextFree = firstFree;
     firstFree = handle;
     --count;
@@ -117,17 +117,17 @@ void ReleaseGroup(Group *group) {
 }
 
 void SetAllocator(const bmr_allocator *newAllocator) {
-    const HoldsProcessLock lock(ProcessLock::Data);
+    const HoldsProcessLock lock;
     allocator = newAllocator;
 }
 
 const bmr_allocator *GetAllocator() {
-    const HoldsProcessLock lock(ProcessLock::Data);
+    const HoldsProcessLock lock;
     return allocator;
 }
 
 size_t Count() {
-    const HoldsProcessLock lock(ProcessLock::Data);
+    const HoldsProcessLock lock;
     return count;
 }
 

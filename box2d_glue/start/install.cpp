@@ -3,13 +3,19 @@
 
 #include <atomic>
 #include <cstdio>
+#include <cstring>
+
+#if defined(_WIN32) // which does not fork
+#    include <process.h>
+#else
+#    include <unistd.h>
+#endif
 
 #include "base/rounding_mode.h"
 #include "boomerang/box2d_glue.h"
 #include "debug/exit_line.h"
 #include "debug/verify.h"
 #include "glue/contacts/contact_register.h"
-#include "start/process.h"
 #include "start/recognise.h"
 #include "start/settings.h"
 
@@ -18,6 +24,10 @@ namespace bmr {
 namespace {
 
 std::atomic<const char *> theWay{"not ahead of Box2D"}, notAhead{nullptr};
+std::atomic<bool> announced{false};
+std::recursive_mutex processLock;
+std::atomic<const void *> tableOfRecorders{nullptr};
+int recorders = 0; ///< alive, of this table
 bool called = false;
 bool installed = false;
 const char *refusedWhy = nullptr;
@@ -46,7 +56,7 @@ const char *TheWay() {
 }
 
 bool Refuse(const char *why) {
-    const HoldsProcessLock lock(ProcessLock::Starting);
+    const HoldsProcessLock lock;
     refusedWhy = why;
     ClaimAnnouncement();
     std::fprintf(stderr, "boomerang: not at work, Box2D runs as it is: %s\n", why);
@@ -54,7 +64,7 @@ bool Refuse(const char *why) {
 }
 
 bool Install(const Options &given) {
-    const HoldsProcessLock lock(ProcessLock::Starting);
+    const HoldsProcessLock lock;
     called = true;
     if (installed || refusedWhy != nullptr)
         return false;
@@ -88,18 +98,55 @@ bool Install(const Options &given) {
 }
 
 const char *WhyRefused() {
-    const HoldsProcessLock lock(ProcessLock::Starting);
+    const HoldsProcessLock lock;
     return refusedWhy;
 }
 
 bool InstallWasCalled() {
-    const HoldsProcessLock lock(ProcessLock::Starting);
+    const HoldsProcessLock lock;
     return called;
 }
 
 bool IsInstalled() {
-    const HoldsProcessLock lock(ProcessLock::Starting);
+    const HoldsProcessLock lock;
     return installed;
+}
+
+long ThisProcess() {
+#if defined(_WIN32)
+    return _getpid();
+#else
+    return getpid();
+#endif
+}
+
+bool ClaimAnnouncement() {
+    return !announced.exchange(true);
+}
+
+bool IsAnnounced() {
+    return announced.load();
+}
+
+HoldsProcessLock::HoldsProcessLock() : m_held(processLock) {}
+
+namespace internal {
+
+void TrustListener(const void *table, int change) {
+    const HoldsProcessLock lock;
+    const void *const known = tableOfRecorders.load(std::memory_order_relaxed);
+    if (known != nullptr && known != table)
+        return;
+    recorders += change;
+    tableOfRecorders.store(recorders > 0 ? table : nullptr, std::memory_order_relaxed);
+}
+
+} // namespace internal
+
+bool IsRecorder(const b2ContactListener &listener) {
+    const void *table;
+    std::memcpy(&table, static_cast<const void *>(&listener), sizeof table);
+    return table == tableOfRecorders.load(std::memory_order_relaxed);
 }
 
 } // namespace bmr

@@ -138,8 +138,10 @@ const char *WhyContactsAreOthers(b2World *world, const b2PolygonShape &box) {
     auto &manager = const_cast<b2ContactManager &>(world->GetContactManager());
     b2BodyDef def;
     def.type = b2_dynamicBody;
+    b2FixtureDef fixtureDef;
+    fixtureDef.shape = &box;
     for (int i = 0; i < 2; ++i)
-        world->CreateBody(&def)->CreateFixture(&box, 0.0f);
+        world->CreateBody(&def)->CreateFixture(&fixtureDef);
     const NextBlock<b2Contact> block(manager.m_allocator);
     manager.FindNewContacts();
     const b2Contact *contact = world->GetContactList();

@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-#include "start/process.h"
+#include "start/install.h"
 #include "start/recognise.h"
 
 /// @file
@@ -24,7 +24,7 @@ void StartNow();
 template <typename Start> void StartOnce(const Start &start) {
     if (IsInTrialStep()) // Install does, on this thread
         return;
-    const HoldsProcessLock lock(ProcessLock::Starting);
+    const HoldsProcessLock lock;
     if (!startsByItself.load(std::memory_order_relaxed))
         return;
     start();

@@ -158,54 +158,9 @@ const char *NameBoth(const char *why, const char *box2d) {
     return words;
 }
 
-constexpr std::string_view kStem = "libboomerang_box2d.so";
-
 std::string_view FileName(std::string_view path) {
     const size_t slash = path.rfind('/');
     return slash == std::string_view::npos ? path : path.substr(slash + 1);
-}
-
-bool IsOurs(std::string_view path) {
-    return FileName(path).substr(0, kStem.size()) == kStem;
-}
-
-/// LD_PRELOAD: paths with blanks or colons between.
-bool EnvironmentNamesUs() {
-    const char *preload = std::getenv("LD_PRELOAD");
-    std::string_view rest = preload != nullptr ? preload : "";
-    while (!rest.empty()) {
-        const size_t end = rest.find_first_of(" :");
-        if (IsOurs(rest.substr(0, end)))
-            return true;
-        rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
-    }
-    return false;
-}
-
-/// ELF's headers hold addresses as numbers.
-template <typename T> const T *At(ElfW(Addr) address) {
-    return reinterpret_cast<const T *>(address); // NOLINT(performance-no-int-to-ptr)
-}
-
-/// Does this loaded object ask for us (DT_NEEDED)?
-int AsksForUs(dl_phdr_info *object, size_t, void *) {
-    const ElfW(Dyn) *dynamic = nullptr;
-    for (int i = 0; i < object->dlpi_phnum; ++i)
-        if (object->dlpi_phdr[i].p_type == PT_DYNAMIC)
-            dynamic = At<ElfW(Dyn)>(object->dlpi_addr + object->dlpi_phdr[i].p_vaddr);
-    if (dynamic == nullptr)
-        return 0;
-    ElfW(Addr) strings = 0;
-    for (const ElfW(Dyn) *entry = dynamic; entry->d_tag != DT_NULL; ++entry)
-        if (entry->d_tag == DT_STRTAB)
-            strings = entry->d_un.d_ptr;
-    // Most loaders have made it an address already; some leave the offset.
-    if (strings < object->dlpi_addr)
-        strings += object->dlpi_addr;
-    for (const ElfW(Dyn) *entry = dynamic; entry->d_tag != DT_NULL; ++entry)
-        if (entry->d_tag == DT_NEEDED && IsOurs(At<char>(strings + entry->d_un.d_val)))
-            return 1;
-    return 0;
 }
 
 size_t SizeOf(const void *address) {
@@ -217,6 +172,19 @@ size_t SizeOf(const void *address) {
 }
 
 } // namespace
+
+/// The variable holds paths with blanks or colons between. The loader has noted by which it loaded us.
+bool IsPreloaded() {
+    const char *preload = std::getenv("LD_PRELOAD");
+    std::string_view rest = preload != nullptr ? preload : "";
+    while (!rest.empty()) {
+        const size_t end = rest.find_first_of(" :");
+        if (FileName(rest.substr(0, end)) == FileName(OurPath()))
+            return true;
+        rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+    }
+    return false;
+}
 
 bool StepsComeByHere() {
     return FileOf(boundStep) == OurFile();
@@ -254,7 +222,7 @@ const char *WhyNoStepComesBy() {
 const char *WhyModuleIsLeftAlone() {
     const CallIntoModule call;
     const std::string_view path = PathOf(FoundFunction(kStep).Find());
-    if (path.substr(path.rfind('/') + 1).substr(0, 8) == "libbox2d")
+    if (FileName(path).substr(0, 8) == "libbox2d")
         return NameBoth("the Box2D of this process is a module's own (dlopen)", path.data());
     std::snprintf(words, sizeof words,
                   "the Box2D of this process is inside a module's own file (dlopen), %s. Where that is "
@@ -300,14 +268,6 @@ const char *WhyLibraryIsUnknown() {
     // The text of an assertion of its solver is there only where the solver is compiled.
     SetBox2DAsserts(FileHolds(Find(kStep), "a.x >= 0.0f && a.y >= 0.0f"));
     return nullptr;
-}
-
-bool IsPreloaded() {
-    if (EnvironmentNamesUs())
-        return true;
-    // No library asks for one that the program opened itself (dlopen) either, but such a one does not come
-    // first in search order.
-    return StepsComeByHere() && dl_iterate_phdr(AsksForUs, nullptr) == 0;
 }
 
 } // namespace bmr

@@ -30,8 +30,7 @@ const char *WhyModuleIsLeftAlone();
 /// library's own references had been settled. Calls nothing of Box2D's. The answer lives until the next call.
 const char *WhyLibraryIsUnknown();
 
-/// Is this library preloaded? It is if LD_PRELOAD names it, or if it was loaded with the program although
-/// nothing that was loaded asks for it (/etc/ld.so.preload).
+/// Does LD_PRELOAD name this library? (One that /etc/ld.so.preload names is on with BOOMERANG=on.)
 bool IsPreloaded();
 
 } // namespace bmr

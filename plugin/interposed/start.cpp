@@ -8,7 +8,6 @@
 #include "debug/exit_line.h"
 #include "interposed/loader.h"
 #include "start/install.h"
-#include "start/process.h"
 #include "start/recognise.h"
 #include "start/settings.h"
 

@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 
 #include "as_stock.h"
-#include "start/process.h"
+#include "start/install.h"
 #include "start/recognise.h"
 #include "start/settings.h"
 

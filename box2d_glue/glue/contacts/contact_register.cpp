@@ -9,7 +9,7 @@
 #include "glue/contacts/convex_contact.h"
 #include "glue/contacts/edge_contact.h"
 #include "glue/contacts/polygon_contact.h"
-#include "start/process.h"
+#include "start/install.h"
 #include "start/recognise.h"
 
 namespace bmr {
@@ -96,19 +96,19 @@ std::atomic<bool> convexContactsAreOurs{false};
 } // namespace
 
 const char *WhyThisBox2DIsUnknown() {
-    const HoldsProcessLock lock(ProcessLock::Recognising);
+    const HoldsProcessLock lock;
     static const char *const why = WhyBox2DIsUnknown();
     return why;
 }
 
 void RegisterPolygonContacts() {
-    const HoldsProcessLock lock(ProcessLock::Recognising);
+    const HoldsProcessLock lock;
     PolygonContact::LearnVtable();
     Layer<PolygonContact>::Register(b2Shape::e_polygon, b2Shape::e_polygon);
 }
 
 void RegisterEdgeContacts() {
-    const HoldsProcessLock lock(ProcessLock::Recognising);
+    const HoldsProcessLock lock;
     EdgeContact::LearnVtable();
     Layer<EdgeContact>::Register(b2Shape::e_edge, b2Shape::e_polygon);
     Layer<EdgeContact>::Register(b2Shape::e_chain, b2Shape::e_polygon);
@@ -119,7 +119,7 @@ bmr_error RegisterConvexContacts() {
         return BMR_OK;
     if (WhyThisBox2DIsUnknown() != nullptr)
         return BMR_ERROR_UNSUPPORTED;
-    const HoldsProcessLock lock(ProcessLock::Recognising);
+    const HoldsProcessLock lock;
     if (!convexContactsAreOurs.load(std::memory_order_relaxed)) {
         ConvexContact::LearnVtable();
         Layer<ConvexContact>::Register(b2Shape::e_polygon, b2Shape::e_polygon);

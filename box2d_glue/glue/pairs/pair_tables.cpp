@@ -11,7 +11,7 @@
 #include "base/private_members.h"
 #include "glue/pairs/pair_table.h"
 #include "start/current_step.h"
-#include "start/process.h"
+#include "start/install.h"
 
 namespace bmr {
 
@@ -108,7 +108,7 @@ Entry **LinkTo(const b2ContactManager *manager) {
 }
 
 void Drop(const b2ContactManager *manager) {
-    const HoldsProcessLock lock(ProcessLock::Data);
+    const HoldsProcessLock lock;
     Entry **link = LinkTo(manager);
     Entry *const ended = *link;
     if (ended == nullptr)
@@ -125,7 +125,7 @@ void Drop(const b2ContactManager *manager) {
 Ledger *internal::FindLedgerOfSome(const b2ContactManager *manager) {
     const uint64_t now = changesOfLedgers.load(std::memory_order_acquire);
     if (remembered.manager != manager || remembered.changes != now) {
-        const HoldsProcessLock lock(ProcessLock::Data);
+        const HoldsProcessLock lock;
         remembered = {manager, *LinkTo(manager), now};
     }
     Entry *const ledger = remembered.ledger;
@@ -152,7 +152,7 @@ Ledger *MakeLedger(b2ContactManager *manager) {
         delete made;
         return nullptr;
     }
-    const HoldsProcessLock lock(ProcessLock::Data);
+    const HoldsProcessLock lock;
     *LinkTo(manager) = made;
     internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
     return made;

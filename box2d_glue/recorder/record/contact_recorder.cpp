@@ -12,7 +12,7 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_world.h>
 
-#include "start/process.h"
+#include "start/install.h"
 
 // Compiled with Box2D, the recorder and the glue are in one program. As a library of its own it finds the
 // plugin where the program has loaded one.
