@@ -19,6 +19,7 @@ function(boomerang_target target)
   endif()
   if(BOOMERANG_QUICK_BUILD AND room MATCHES "^testbed_scenes" OR BOOMERANG_SANITIZE MATCHES "address" AND room MATCHES "^(box2d_glue|plugin)")
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+    target_compile_options(${target} PRIVATE -Wno-shadow) # of another file's names
   endif()
   if(BOOMERANG_SANITIZE)
     # More optimisation than -O1 takes minutes for a large test; and C++ that is mostly other people's templates takes three

@@ -463,24 +463,24 @@ TEST_CASE("boomerang/outline.h") {
         }
         return ask.Says(error);
     });
-    // With the hole; and where memory fails also without, and with a tolerance.
-    Row("bmr_outline_decompose", [](Asked &ask) {
-        for (uint32_t i = 0; i < (ask.IsForMemory() ? 3 : 1); ++i) {
-            const bmr_rings rings = TheStar().Rings(2 - i % 2);
-            const bmr_outline_def def = {i == 2 ? 0.1 : ask.Number("tolerance", 0, tolerances)};
+    // With the hole, without, and with a tolerance.
+    for (const auto &[holes, tolerance] :
+         std::initializer_list<std::pair<uint32_t, double>>{{1, 0}, {0, 0}, {1, 0.1}})
+        Row("bmr_outline_decompose", [holes = holes, good = tolerance](Asked &ask) {
+            const bmr_rings rings = TheStar().Rings(1 + holes);
+            const bmr_outline_def def = {ask.Number("tolerance", good, tolerances)};
             bmr_outline_pieces *made = Untouched<bmr_outline_pieces>();
             bmr_outline_fault fault = kNoFault;
             const bmr_error error = bmr_outline_decompose(
                 ask.NotNull("rings", &rings), ask.MayBeNull("def", &def), ask.Allocator(),
                 ask.Result("result", &made), ask.MayBeNull("fault", ask.Watched(&fault)));
-            if (error != BMR_OK)
-                return ask.Says(error);
-            ask.Made(made->edges, made->edge_count * sizeof *made->edges);
-            ask.Made(made->first, (made->piece_count + 1) * sizeof *made->first);
-            bmr_outline_pieces_destroy(made, ask.Allocator());
-        }
-        return kOk.text;
-    });
+            if (error == BMR_OK) {
+                ask.Made(made->edges, made->edge_count * sizeof *made->edges);
+                ask.Made(made->first, (made->piece_count + 1) * sizeof *made->first);
+                bmr_outline_pieces_destroy(made, ask.Allocator());
+            }
+            return ask.Says(error);
+        });
     Row("bmr_outline_mass", [](Asked &ask) {
         const double half = ask.Number("half width of a hole in a square", 0.5, OutOfRange({1}));
         std::vector<bmr_vec2> points = Ellipse(4);
