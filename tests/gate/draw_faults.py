@@ -82,7 +82,7 @@ class Tree:
                 shutil.copy2(there, here)
                 here.touch()
         self._run("cmake", "--preset", "release", "-S", self.source, "-B", self.build, "-DBOOMERANG_QUICK_BUILD=ON")
-        if not self.makes(*LIBRARIES) or not self.makes("all"):
+        if not self.makes(*LIBRARIES) or not self.makes("tests/all"):
             sys.exit(f"draw_faults.py: {self.source} does not build")
         self.code = self.libraries()
         self._choose(["--tests-regex", tests] if tests else ["--label-exclude", NOT_ASKED])
@@ -119,7 +119,7 @@ class Tree:
         try:
             if not self.makes(*LIBRARIES) or self.libraries() == self.code:
                 return None
-            if not self.makes("all"):
+            if not self.makes("tests/all"):
                 return "the compiler, in what the libraries do not hold"
             for batch in filter(None, self.batches):
                 numbers = "0,0,0," + ",".join(map(str, batch))

@@ -30,7 +30,7 @@ Actor::Actor(const uint8_t *data, size_t size)
     if ((flags & 64) != 0) {
         m_largest = 2.0f; // what all others touch takes seconds
         m_mostBodies = 320;
-        m_mostFixtures = 40;
+        m_mostFixtures = 200;
         m_mostJoints = 40;
         m_mostActions = 2000;
         m_mostRecords = 160;
