@@ -85,18 +85,19 @@ const MovingPair &ThePair() {
     return pair;
 }
 
-uint64_t HashOf(const bmr_motion *motion) {
-    uint64_t bits = TEST_HASH_START;
+/// The bytes of its poses.
+std::string PosesOf(const bmr_motion *motion) {
+    std::string bytes;
     for (int i = -5; i <= 30; ++i) {
         const bmr_pose pose = bmr_motion_pose(motion, i, nullptr, nullptr);
-        test_hash(&bits, &pose, sizeof pose);
+        bytes.append(reinterpret_cast<const char *>(&pose), sizeof pose);
     }
-    return bits;
+    return bytes;
 }
 
 void Made(const Asked &ask, const bmr_motion *motion) {
-    const uint64_t bits = HashOf(motion);
-    ask.Made(&bits, sizeof bits);
+    const std::string poses = PosesOf(motion);
+    ask.Made(poses.data(), poses.size());
 }
 
 /// The end of a call that makes a motion.
@@ -161,9 +162,9 @@ TEST_CASE("boomerang/motion.h") {
         for (int i = 0; i < (ask.IsForMemory() ? 20 : 1) && error == BMR_OK; ++i) {
             const bmr_motion_piece change = bmr_piece_screw(i, kSlanted, {1.0 * i, 1.0}, 0.0);
             const double time = ask.IsForMemory() ? i : ask.Number("time", 0, kFinite + Gives(kOk, {1e308}));
-            const uint64_t before = HashOf(made);
+            const std::string before = PosesOf(made);
             error = bmr_motion_change(made, time, ask.NotNull("piece", &change));
-            if (error != BMR_OK && (HashOf(made) != before || bmr_motion_change(made, i, &change) != BMR_OK))
+            if (error != BMR_OK && (PosesOf(made) != before || bmr_motion_change(made, i, &change) != BMR_OK))
                 error = BMR_ERROR_COUNT;
         }
         if (made != nullptr && error == BMR_OK)
