@@ -97,25 +97,6 @@ AS_STOCK("passed: a listener makes bullets of the shots, and disables the contac
     range.TookPlace(passed, "a contact is disabled as it begins");
 }
 
-AS_STOCK("met: a listener has bodies meet in a step of no time, which lean on each other when their islands "
-         "are built") {
-    Range range(run);
-    for (const float x : {60.0f, 60.995f}) // the newest: their island is the first
-        range.Awake({x, 0.0f});
-    range.Step();
-    for (b2Body *body : range.leaning)
-        body->SetTransform({-0.05f, body->GetPosition().y}, 0.0f);
-    range.listener.postSolve.Once([&range] {
-        range.StepWithin(); // unlocks it
-        for (b2Body *body : range.leaning) {
-            body->SetTransform({0.0f, body->GetPosition().y}, 0.0f);
-            body->SetLinearVelocity({1.0f, 0.0f});
-        }
-        range.StepWithin();
-    });
-    range.Step(3);
-}
-
 AS_STOCK("halved: a listener has the step end with the first impact; between steps sub-stepping is over") {
     Range range(run);
     range.Shoot(180.0f, 240.0f);

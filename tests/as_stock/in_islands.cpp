@@ -157,22 +157,6 @@ AS_STOCK("read anew: PostSolve puts bodies to sleep ahead of their island, and l
     game.TookPlace(slept, "bodies are put to sleep");
 }
 
-AS_STOCK("elsewhere: PostSolve has another thread step its own world, and waits for it") {
-    Game game(run, {0.0f, -10.0f});
-    game.Wall({0.0f, -1.0f}, {60.0f, 1.0f});
-    for (int i = 0; i < 60; ++i) {
-        game.Box({-40.0f + 4.0f * Real(i / 3), 0.5f + 1.02f * Real(i % 3)});
-        for (const float height : {20.0f, 21.5f})
-            game.Box({-40.0f + 1.3f * Real(i), height}, {1.5f, 0.05f}, 0.7f);
-    }
-    game.Listen();
-    for (int i = 0; i < 6; ++i) {
-        game.listener.postSolve.Once(
-            [&game] { std::thread([&game] { game.StepWithin(1.0f / 240.0f, 4); }).join(); });
-        game.Step(10);
-    }
-}
-
 // Most pairs begin to touch before the game sets a listener: CollideByList steps the world from then on.
 AS_STOCK("by list: a listener comes to a world whose pairs nearly all touch, and disables a contact") {
     Game game(run);

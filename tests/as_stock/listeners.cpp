@@ -199,60 +199,6 @@ AS_STOCK("there and back: a contact loses its points, and is a sensor's until th
     }
 }
 
-/// What a game gets in the place of what was given back: nobody else writes there.
-struct Blocks {
-    void Take() {
-        for (size_t size = 64; size < 4096; size += 16)
-            all.emplace_back(size, '\x7f');
-    }
-    void Tell(Run &run) const {
-        for (const std::string &block : all)
-            if (block.find_first_not_of('\x7f') != std::string::npos)
-                run.Print("somebody wrote to a block");
-    }
-    std::vector<std::string> all;
-};
-
-AS_STOCK("few left: a crowd goes, and a listener steps the world of the few within its steps; the crowd "
-         "comes back") {
-    for (const bool sub : {false, true}) {
-        Game game(run);
-        game.world.SetSubStepping(sub);
-        const auto crowd = [&game] {
-            std::vector<b2Body *> bodies;
-            for (int i = 0; i < 60; ++i) {
-                bodies.push_back(game.Near({3.0f * Real(i), 10.0f}));
-                bodies.back()->SetLinearVelocity({i % 3 == 0 ? -2.0f : 0.1f, 0.0f});
-            }
-            return bodies;
-        };
-        game.Leaning({0.0f, 0.0f});
-        game.Listen();
-        for (int round = 0; round < 2; ++round) {
-            const std::vector<b2Body *> bodies = crowd();
-            game.Step(2);
-            for (b2Body *body : bodies)
-                game.world.DestroyBody(body);
-            game.Step(round == 0 ? 1 : 60);
-            Blocks blocks;
-            const auto steps = [&game, &blocks] {
-                for (int i = 0; i < 12; ++i)
-                    game.StepWithin(1.0f / 600.0f, 4);
-                blocks.Take();
-            };
-            if (sub)
-                game.listener.postSolve.Once(steps);
-            else
-                game.listener.preSolve.Once(steps);
-            b2Body *const bullet = game.Awake({-6.0f, 0.0f}, {0.1f, 0.1f});
-            bullet->SetBullet(true);
-            bullet->SetLinearVelocity({400.0f, 0.0f});
-            game.Step(80);
-            blocks.Tell(run);
-        }
-    }
-}
-
 AS_STOCK("roused: a listener that is told of an island wakes bodies that sleep side by side") {
     Game game(run);
     std::vector<b2Body *> sleepers;

@@ -61,31 +61,6 @@ AS_STOCK("own: a listener steps its own world") {
     }
 }
 
-AS_STOCK("round: a listener steps another world, whose listener steps the first one") {
-    Game one(run, {0.0f, -10.0f}), two(run, {0.0f, -10.0f});
-    AddShots(one, 4, 3.0f);
-    AddShots(two, 4, 2.0f);
-    one.Listen();
-    two.Listen();
-    one.listener.begin = Every(1, 3, [&two] { two.StepWithin(1.0f / 60.0f, 2); });
-    two.listener.begin = Every(1, 3, [&one] { one.StepWithin(1.0f / 60.0f, 2); });
-    one.Step(60);
-    two.Step(60);
-}
-
-AS_STOCK("pairs: a listener has new contacts looked for") {
-    Game game(run, {0.0f, -10.0f});
-    AddShots(game, 30, 3.0f);
-    game.Listen();
-    int looked = 0;
-    game.listener.begin = Every(2, kAlways, [&game, &looked] {
-        const_cast<b2ContactManager &>(game.world.GetContactManager()).FindNewContacts();
-        ++looked;
-    });
-    game.Step(100);
-    game.TookPlace(looked, "new contacts are looked for");
-}
-
 namespace {
 
 ucontext_t places[2], outside;
@@ -179,85 +154,5 @@ AS_STOCK("thrown: a body's shape is changed again and again, and each time an ex
         game.Step();
         game.listener.preSolve = nullptr;
         game.Step(2);
-    }
-}
-
-// What the listener's step does to the records of all others must not touch that of the contact that ends: or
-// the next contact, which gets its place in memory, is taken for it.
-AS_STOCK("numbers: a listener steps while the newest contact ends, when most have ended before") {
-    Game game(run);
-    std::vector<b2Body *> many;
-    for (int i = 0; i < 12; ++i)
-        game.Near({3.0f * Real(i), 20.0f});
-    for (int i = 0; i < 250; ++i)
-        many.push_back(game.Near({3.0f * Real(i), 0.0f}));
-    b2Body *left = game.Awake({-50.0f, 0.0f}, {0.3f, 0.3f}),
-           *right = game.Awake({-55.0f, 0.0f}, {0.3f, 0.3f});
-    game.Wall({-90.0f, 0.0f});
-    game.Step(10);
-    b2Body *turned = game.Awake({-90.995f, 0.0f}); // its contact is the newest
-    game.Step(3);
-    for (b2Body *body : many)
-        game.world.DestroyBody(body);
-    game.Listen();
-    game.listener.end = [&game] { game.StepWithin(); };
-    turned->SetType(b2_kinematicBody);
-    game.listener.end = nullptr;
-    turned->SetTransform({-93.0f, 0.0f}, 0.0f);
-    right->SetTransform({-50.75f, 0.0f}, 0.0f); // a new contact, apart
-    game.Step(5);
-    right->SetLinearVelocity({1.0f, 0.0f});
-    left->SetLinearVelocity({-1.0f, 0.0f});
-    game.Step(20);
-}
-
-AS_STOCK("twice: a filter steps while it is asked about a new pair, which so gets two contacts, of which one "
-         "ends") {
-    for (const int refused : {0, 1}) {
-        Game game(run);
-        for (int i = 0; i < 60; ++i)
-            game.Near({3.0f * Real(i), 50.0f});
-        game.Step(3);
-        game.Ask();
-        b2Body *const near = game.Near({0.0f, 0.0f});
-        game.filter.asked = [&game] { game.StepWithin(); };
-        game.Step();
-        int asked = 0;
-        game.filter.asked = [&] { game.filter.refuses = asked++ == refused; };
-        near->GetFixtureList()->Refilter();
-        game.Step();
-        game.filter.asked = nullptr;
-        game.filter.refuses = false;
-        for (int i = 0; i < 4; ++i) {
-            const b2Vec2 home = near->GetPosition();
-            near->SetTransform({900.0f, 0.0f}, 0.0f);
-            near->SetTransform({home.x - 0.01f, home.y}, 0.0f); // a new box, which is searched about
-            game.Step();
-        }
-    }
-}
-
-// A third box is thrown at the first of two that touch, whose type then changes: that ends the contact of the
-// two. In the listener's step the thrown one gets its contact, and then Box2D empties the list of the one
-// that changed: it will make the same contact again.
-AS_STOCK("unlisted: a listener steps while a change of type ends contacts") {
-    Game game(run);
-    std::vector<b2Body *> thrown, changed;
-    for (int i = 0; i < 80; ++i) {
-        const float x = 5.0f * Real(i);
-        thrown.push_back(game.Awake({x, 3.0f}));
-        changed.push_back(game.Awake({x, 0.0f}));
-        game.Awake({x + (i % 8 == 0 ? 0.995f : 1.1f), 0.0f});
-    }
-    game.Step(4);
-    game.Listen();
-    game.listener.end = [&game] {
-        if (!game.world.IsLocked())
-            game.StepWithin(1.0f / 60.0f, 8);
-    };
-    for (size_t i = 0; i < changed.size(); i += 8) {
-        thrown[i]->SetLinearVelocity({0.0f, -30.0f});
-        changed[i]->SetType(b2_kinematicBody);
-        game.Step(3);
     }
 }

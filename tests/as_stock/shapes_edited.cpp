@@ -20,55 +20,6 @@ b2PolygonShape Regular(int32 count, float radius) {
 
 } // namespace
 
-// bullet3 #2056, godot-jolt #251, gazebo-classic #526: shapes that were resized kept what was cached of them.
-AS_STOCK("polygons grow and shrink in place, past their boxes, with more and with fewer vertices") {
-    Yard yard(run);
-    yard.Begin();
-    for (int round = 0; round < 12; ++round) {
-        yard.Place(false);
-        const auto count = static_cast<int32>(3 + (5 * round) % 6); // 3, 8, 7, 6, 5, 4
-        const float radius = round % 3 == 0 ? 0.85f : 0.3f;
-        for (const Yard::Couple &couple : yard.couples) {
-            b2PolygonShape *polygon = PolygonOf(couple.mover->GetFixtureList());
-            const float skin = polygon->m_radius;
-            *polygon = Regular(count, radius);
-            polygon->m_radius = skin;
-        }
-        yard.game.Step();
-        yard.game.Stage((yard.TouchingCouples() >= 4) == (round % 3 == 0), "the new shapes decide");
-        yard.Drift(round % 2 == 0 ? -1.5f : 0.1f);
-        yard.game.Step(4);
-    }
-}
-
-AS_STOCK("radii of circles, edges, polygons and sensors change in place") {
-    Yard yard(run);
-    b2Body *circles[2];
-    for (int i = 0; i < 2; ++i) { // one is a sensor
-        b2CircleShape circle;
-        circle.m_radius = 0.1f;
-        circles[i] = yard.game.Body(b2_dynamicBody, {14.0f * Real(i), 2.0f});
-        yard.game.Fixture(circles[i], circle, i == 1);
-        circles[i]->SetSleepingAllowed(false);
-    }
-    yard.Begin();
-    for (const float radius : {0.4f, 0.02f, 0.5f, 0.01f}) {
-        yard.Place(false);
-        for (const Yard::Couple &couple : yard.couples)
-            for (b2Body *body : {couple.stays, couple.mover})
-                for (b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
-                    f->GetShape()->m_radius = radius;
-        for (int i = 0; i < 2; ++i) {
-            circles[i]->SetTransform({14.0f * Real(i), 2.0f}, 0.0f);
-            circles[i]->GetFixtureList()->GetShape()->m_radius = 2.0f * radius;
-        }
-        yard.game.Step();
-        yard.game.Stage((yard.TouchingCouples() >= 5) == (radius > 0.3f), "the radii decide");
-        yard.Drift(-2.0f);
-        yard.game.Step(3);
-    }
-}
-
 // box2d #341, #553, #1016: what an edge knows of its neighbours decides what a polygon does at its ends.
 AS_STOCK_HOW(kMayBeSilent, "edges and chains, their neighbours and their sides are changed in place") {
     Heard game(run, {0.0f, -10.0f});
