@@ -61,6 +61,10 @@ inline const Body &Round() {
     return round;
 }
 
+inline std::string VerticesOf(size_t count) {
+    return std::to_string(count) + (count == 1 ? " vertex" : " vertices");
+}
+
 } // namespace contracts
 
 #endif

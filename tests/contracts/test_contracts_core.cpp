@@ -6,8 +6,8 @@
 #include "boomerang/minkowski.h"
 #include "boomerang/outline.h"
 #include "hierarchy/mixed_cells.h"
+#include "stage.h"
 #include "structure_named.h"
-#include "vertex_arrays.h"
 
 using namespace contracts;
 
@@ -47,21 +47,12 @@ TEST_CASE("boomerang/polygon.h, boomerang/minkowski.h") {
     for (const auto &[name, make] : makes) {
         Row(name, [make = make](Asked &ask) {
             bmr_polygon *made = Untouched<bmr_polygon>();
-            const bmr_error error = make(ask.NotNull("points", points.data()), points.size(), ask.Allocator(),
+            const double count = ask.Number("count", 60,
+                                            Gives(BMR_ERROR_NO_POINTS, {0}) +
+                                                Gives(BMR_ERROR_TOO_MANY_POINTS, {65536, kSizeMax}));
+            const bmr_error error = make(ask.NotNull("points", points.data()), Count(count), ask.Allocator(),
                                          ask.Result("result", &made));
             return MadePolygon(ask, error, made);
-        });
-        CheckVertexArrays(make == bmr_polygon_create ? kHull : kRaw, [make = make](const Vertices &vertices) {
-            bmr_polygon *made = Untouched<bmr_polygon>();
-            Asked ask(SIZE_MAX);
-            const bmr_error error = make(vertices.null ? nullptr : vertices.points.data(), vertices.count,
-                                         nullptr, ask.Watched(&made));
-            if (error != BMR_OK)
-                return ask.Says(error);
-            const bmr_error audit = bmr_polygon_audit(made);
-            const std::string count = CountOf(made->count, vertices.count);
-            bmr_polygon_destroy(made, nullptr);
-            return audit == BMR_OK ? count : count + ", audit: " + Answer(audit).text;
         });
     }
     Row("bmr_polygon_copy", [](Asked &ask) {
@@ -449,6 +440,13 @@ TEST_CASE("boomerang/outline.h") {
         ask.Made(&fault.error, sizeof fault.error);
         return ask.Says(error);
     });
+    Row("bmr_outline_check of many points", [](Asked &ask) {
+        static const std::vector<bmr_vec2> points = Ellipse(4);
+        const double count = ask.Number("points", 4, Gives(BMR_ERROR_TOO_MANY_POINTS, {65536, UINT32_MAX}));
+        const uint32_t counts[] = {static_cast<uint32_t>(count), 2};
+        const bmr_rings rings = {points.data(), counts, counts[0] == UINT32_MAX ? 2u : 1u};
+        return ask.Says(bmr_outline_check(&rings, nullptr, nullptr));
+    });
     Row("bmr_outline_simplify", [](Asked &ask) {
         const bmr_rings rings = TheStar().Rings();
         std::vector<uint32_t> kept(TheStar().points.size(), 77), counts = {77, 77};
@@ -500,83 +498,4 @@ TEST_CASE("boomerang/outline.h") {
         bmr_outline_pieces_destroy(nullptr, nullptr);
         return ask.Says(error);
     });
-}
-
-TEST_CASE("outlines that are none are refused by check, simplify and decompose, with the same edges") {
-    const auto inSquare = [](const std::vector<bmr_vec2> &hole) {
-        std::vector<bmr_vec2> points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-        points.insert(points.end(), hole.begin(), hole.end());
-        return points;
-    };
-    constexpr uint32_t kNone = BMR_OUTLINE_NONE;
-    const struct {
-        const char *name;
-        std::vector<bmr_vec2> points; ///< behind those of a square of side 4, where it has a hole
-        std::vector<uint32_t> counts;
-        bmr_error error;
-        uint32_t first = 0, second = 0; ///< edges of the fault; both 0: it names none
-    } rows[] = {
-        {"no rings", inSquare({}), {}, BMR_ERROR_NO_POINTS},
-        {"a ring without points", inSquare({}), {4, 0}, BMR_ERROR_TOO_FEW_POINTS, kNone, kNone},
-        {"a ring of two points", inSquare({{1, 1}, {2, 2}}), {4, 2}, BMR_ERROR_TOO_FEW_POINTS, 4, 4},
-        {"65,536 points", Ellipse(65536), {65536}, BMR_ERROR_TOO_MANY_POINTS},
-        {"2^32 - 1 points, and two more", inSquare({}), {UINT32_MAX, 2}, BMR_ERROR_TOO_MANY_POINTS},
-        {"a coordinate of NaN", {{0, 0}, {4, 0}, {4, kNaN}}, {3}, BMR_ERROR_NOT_FINITE},
-        {"a coordinate of infinity", {{0, 0}, {kInfinity, 0}, {4, 4}}, {3}, BMR_ERROR_NOT_FINITE},
-        {"its last point is its first", inSquare({{0, 0}}), {5}, BMR_OK, kNone, kNone},
-        {"like an 8", {{0, 0}, {4, 4}, {4, 0}, {0, 4}}, {4}, BMR_ERROR_CROSSING_EDGES, 0, 2},
-        {"like an 8, through one point twice",
-         {{0, 0}, {2, 2}, {4, 4}, {4, 0}, {2, 2}, {0, 4}},
-         {6},
-         BMR_ERROR_CROSSING_EDGES,
-         1,
-         3},
-        {"a spike", {{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 4}}, {5}, BMR_ERROR_OVERLAPPING_EDGES, 1, 2},
-        {"points on one line", {{0, 0}, {1, 1}, {2, 2}}, {3}, BMR_ERROR_OVERLAPPING_EDGES, 0, 2},
-        {"a hole that crosses it",
-         inSquare({{1, 1}, {6, 2}, {1, 3}}),
-         {4, 3},
-         BMR_ERROR_CROSSING_EDGES,
-         1,
-         4},
-        {"a hole along one of its edges",
-         inSquare({{1, 0}, {2, 0}, {2, 2}}),
-         {4, 3},
-         BMR_ERROR_OVERLAPPING_EDGES,
-         0,
-         4},
-        {"a hole beside it", inSquare({{6, 1}, {7, 1}, {7, 2}}), {4, 3}, BMR_ERROR_HOLE_OUTSIDE, 4, kNone},
-        {"a hole in a hole",
-         inSquare({{1, 1}, {3, 1}, {3, 3}, {1, 3}, {1.5, 1.5}, {2, 1.5}, {2, 2}}),
-         {4, 4, 3},
-         BMR_ERROR_HOLE_OUTSIDE,
-         8,
-         4},
-        {"in its own hole",
-         {{1, 1}, {2, 1}, {2, 2}, {0, 0}, {4, 0}, {4, 4}, {0, 4}},
-         {3, 4},
-         BMR_ERROR_HOLE_OUTSIDE,
-         3,
-         kNone},
-    };
-    for (const auto &row : rows) {
-        CAPTURE(std::string(row.name));
-        const bmr_rings rings = {row.points.data(), row.counts.data(),
-                                 static_cast<uint32_t>(row.counts.size())};
-        std::vector<uint32_t> kept(row.points.size() + 1, 77), left(row.counts.size() + 1, 77);
-        bmr_outline_pieces *pieces = nullptr;
-        bmr_outline_fault faults[3] = {};
-        CHECK(bmr_outline_check(&rings, nullptr, &faults[0]) == row.error);
-        CHECK(bmr_outline_simplify(&rings, 0.0, nullptr, kept.data(), left.data(), &faults[1]) == row.error);
-        CHECK(bmr_outline_decompose(&rings, nullptr, nullptr, &pieces, &faults[2]) == row.error);
-        if (row.error != BMR_OK)
-            CHECK((pieces == nullptr && kept[0] == 77 && left[0] == 77));
-        bmr_outline_pieces_destroy(pieces, nullptr);
-        const bool named = row.first != 0 || row.second != 0;
-        for (const bmr_outline_fault &fault : faults) {
-            CHECK(fault.error == (named ? row.error : BMR_OK));
-            CHECK(fault.edge[0] == row.first);
-            CHECK(fault.edge[1] == row.second);
-        }
-    }
 }

@@ -5,7 +5,7 @@
 #include "convex32/convex32_distance.h"
 #include "convex32/convex32_pieces.h"
 #include "exact32/swept32.h"
-#include "vertex_arrays.h"
+#include "stage.h"
 
 using namespace contracts;
 
@@ -59,24 +59,11 @@ TEST_CASE("core/convex32") {
     for (const auto &[name, create] : creates) {
         Row(name, [create = create](Asked &ask) {
             bmr_convex32_block *made = Untouched<bmr_convex32_block>();
-            const bmr_error error = create(ask.NotNull("points", Convex()->polygon.vertices), 40,
+            const double count = ask.Number("count", 40, Gives(BMR_ERROR_TOO_FEW_POINTS, {0, 2}));
+            const bmr_error error = create(ask.NotNull("points", Convex()->polygon.vertices), Count(count),
                                            ask.Allocator(), ask.Result("result", &made));
             return MadeConvex(ask, error, made);
         });
-        CheckVertexArrays(create == bmr_convex32_create ? kFloatHull : kFloatRaw,
-                          [create = create](const Vertices &vertices) {
-                              const std::vector<bmr_vec32> points = Floats(vertices.points);
-                              bmr_convex32_block *made = Untouched<bmr_convex32_block>();
-                              Asked ask(SIZE_MAX);
-                              const bmr_error error = create(vertices.null ? nullptr : points.data(),
-                                                             vertices.count, nullptr, ask.Watched(&made));
-                              if (error != BMR_OK)
-                                  return ask.Says(error);
-                              CHECK(bmr_convex32_audit(&made->polygon) == BMR_OK);
-                              const std::string count = CountOf(made->polygon.count, vertices.count);
-                              bmr_convex32_destroy(made, nullptr);
-                              return count;
-                          });
     }
     // Every other edge is an inner one.
     Row("bmr_convex32_create_piece", [](Asked &ask) {
@@ -101,7 +88,7 @@ TEST_CASE("core/convex32") {
                                                       ask.Result("place of their count", &count));
         if (error == BMR_OK)
             ask.Made(left, count * sizeof *left);
-        return error != BMR_OK || tolerance == 0.05f ? ask.Says(error) : CountOf(count);
+        return error != BMR_OK || tolerance == 0.05f ? ask.Says(error) : VerticesOf(count);
     });
     Row("bmr_convex32_audit", [](Asked &ask) {
         bmr_convex32_destroy(nullptr, nullptr);

@@ -8,11 +8,109 @@
 #include "boomerang/convex_shape.h"
 #include "boomerang/outline_shape.h"
 #include "debug/inspect.h"
-#include "vertex_arrays.h"
+#include "stage.h"
 
 using namespace contracts;
 
 namespace {
+
+/// So many vertices: of a large circle how many are left depends on how its points were rounded.
+std::string CountOf(size_t count, size_t given) {
+    return count > 10000 && count < given ? "fewer vertices" : VerticesOf(count);
+}
+
+/// Points in rows of 256: a square of 4 vertices, or of 5 where the last row is short.
+std::vector<bmr_vec2> Grid(size_t count) {
+    std::vector<bmr_vec2> points;
+    for (size_t i = 0; i < count; ++i)
+        points.push_back({static_cast<double>(i % 256), static_cast<double>(i / 256)});
+    return points;
+}
+
+/// Every second point, then the others.
+std::vector<bmr_vec2> TwiceAround(const std::vector<bmr_vec2> &points) {
+    std::vector<bmr_vec2> star;
+    for (size_t i = 0; i < points.size(); ++i)
+        star.push_back(points[2 * i % points.size()]);
+    return star;
+}
+
+/// A bad vertex array, and what Set and SetRaw say to it.
+struct Vertices {
+    std::string name;
+    std::vector<bmr_vec2> points;
+    Answer hull, raw;
+};
+
+/// (What core says of points at random: tests/random/fuzz_polygon.cpp, polygon32.cpp.)
+std::vector<Vertices> BadVertexArrays() {
+    using Points = std::vector<bmr_vec2>;
+    const Answer few = BMR_ERROR_TOO_FEW_POINTS, many = BMR_ERROR_TOO_MANY_POINTS,
+                 dented = BMR_ERROR_NOT_CONVEX, far = BMR_ERROR_OUT_OF_RANGE, nan = BMR_ERROR_NOT_FINITE,
+                 close = BMR_ERROR_TOO_CLOSE, fewer = "fewer vertices";
+    const auto made = [](size_t count) { return Answer(VerticesOf(count)); };
+    Points line;
+    for (int i = 0; i < 20; ++i)
+        line.push_back({1.0 * i, 2.0 * i});
+    std::vector<Vertices> all = {
+        {"one point", {{1, 2}}, few, few},
+        {"two points", {{1, 2}, {3, 4}}, few, few},
+        {"two equal points", {{1, 2}, {1, 2}}, few, few},
+        {"3 points on a line", {{0, 0}, {1, 1}, {2, 2}}, few, few},
+        {"20 points on a line", line, few, dented},
+        {"20 equal points", Points(20, {1, 1}), few, far},
+        {"a pentagram", TwiceAround(Ellipse(5)), made(5), dented},
+        {"a star of 21 points, twice around", TwiceAround(Ellipse(21)), made(21), dented},
+        {"65,535 points on a circle", Ellipse(65535, 1000, 1000), fewer, dented},
+        {"65,536 points on a circle", Ellipse(65536, 1000, 1000), fewer, many},
+        {"65,536 points in a square", Grid(65536), made(4), many}};
+    for (const size_t n : {size_t{4}, size_t{20}}) {
+        const Points shape = n == 20 ? Ellipse(20) : Points{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+        const auto changed = [&](const char *how, const Answer &hull, const Answer &raw,
+                                 const std::function<void(Points &)> &change) {
+            Points points = shape;
+            change(points);
+            all.push_back({"a polygon of " + std::to_string(n) + how, points, hull, raw});
+        };
+        const auto scaled = [&](const char *how, double factor, const Answer &answer) {
+            changed(how, answer, answer, [factor](Points &p) {
+                for (bmr_vec2 &point : p)
+                    point = {point.x * factor, point.y * factor};
+            });
+        };
+        // A shape of up to 8 points takes, welds and turns what Box2D does.
+        const bool small = n == 4;
+        const Answer whole = made(n), tiny = small ? close : far;
+        changed(" with a NaN", nan, nan, [](Points &p) { p[1].y = kNaN; });
+        changed(" with an infinity", nan, nan, [](Points &p) { p[1].y = kInfinity; });
+        changed(" with a negative infinity", nan, nan, [](Points &p) { p[2].x = -kInfinity; });
+        changed(" with a coordinate of 1e38", far, far, [](Points &p) { p[1].x = 1e38; });
+        changed(" with a coordinate beyond 1e9", small ? made(4) : far, small ? dented : far,
+                [](Points &p) { p[2].y = -1.0000001e9; });
+        changed(" with a coordinate of 1e-38", small ? whole : made(19), small ? whole : dented,
+                [](Points &p) { p[1].x = 1e-38; });
+        changed(", every point twice", whole, small ? close : dented, [](Points &p) {
+            for (size_t i = 0; i < p.size(); i += 2)
+                p.insert(p.begin() + static_cast<ptrdiff_t>(i), Points::value_type(p[i]));
+        });
+        changed(", clockwise", whole, dented, [](Points &p) { std::reverse(p.begin(), p.end()); });
+        changed(" with two vertices exchanged", whole, dented, [](Points &p) { std::swap(p[1], p[2]); });
+        changed(" with a dent", made(n - 1), dented, [](Points &p) {
+            p[1] = {-0.1 * p[1].x, -0.1 * p[1].y};
+        });
+        if (small) // the middles of the other's sides are rounded
+            changed(" with a vertex in the middle of a side", whole, dented, [](Points &p) {
+                p.insert(p.begin() + 1, {(p[0].x + p[1].x) / 2, (p[0].y + p[1].y) / 2});
+            });
+        scaled(", as it is", 1.0, whole);
+        scaled(" of half width 1e-38", 1e-38, tiny);
+        scaled(" of half width 4e-10", 4e-10, tiny);
+        scaled(" of half width 1e-9", 1e-9, tiny);
+        scaled(" of half width 1e9", 1e9, whole);
+        scaled(" of half width 1e38", 1e38, far);
+    }
+    return all;
+}
 
 /// What a setter says to a shape that holds something, and whether an error left that as it was.
 std::string SetTo(const std::function<bmr_error(bmr::ConvexShape &)> &set, size_t given = 0) {
@@ -51,17 +149,17 @@ TEST_CASE("boomerang/convex_shape.h: setters") {
     using Setter = bmr_error (bmr::ConvexShape::*)(const b2Vec2 *, int32);
     for (const Setter set : {&bmr::ConvexShape::Set, &bmr::ConvexShape::SetRaw}) {
         const bool raw = set == &bmr::ConvexShape::SetRaw;
-        CheckVertexArrays(raw ? kShapeRaw : kShape, [set](const Vertices &vertices) -> std::string {
-            if (vertices.count > INT_MAX)
-                return "-";
+        for (const Vertices &vertices : BadVertexArrays()) {
+            CAPTURE(vertices.name);
             const std::vector<b2Vec2> points = Vectors(vertices.points);
-            return SetTo(
-                [&](bmr::ConvexShape &shape) {
-                    return (shape.*set)(vertices.null ? nullptr : points.data(),
-                                        static_cast<int32>(vertices.count));
-                },
-                vertices.count);
-        });
+            const auto count = static_cast<int32>(points.size());
+            const std::string said = SetTo(
+                [&](bmr::ConvexShape &shape) { return (shape.*set)(points.data(), count); }, points.size());
+            CHECK(said == (raw ? vertices.raw : vertices.hull).text);
+        }
+        for (const int32 count : {0, 4})
+            CHECK(SetTo([&](bmr::ConvexShape &shape) { return (shape.*set)(nullptr, count); }) ==
+                  Answer(BMR_ERROR_NULL_ARGUMENT).text);
         // So many points in a square.
         const Rules counts = kAbove2 + Gives(BMR_ERROR_TOO_FEW_POINTS, {3}),
                     hull = counts + Gives("5 vertices", {16383, 65535}) + Gives("4 vertices", {16384}),

@@ -11,48 +11,10 @@
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"
 
-#include "failing_allocator.h"
 #include "test_scale.h"
 
 using bmr::ConvexShape;
 using namespace shapes;
-
-TEST_CASE("without memory a shape stays as it was and nothing leaks") {
-    // First of all: the registry has no chunk yet.
-    test_heap heap;
-    const std::vector<b2Vec2> big = Circle(100, 1.0), other = Circle(50, 2.0);
-    size_t failures = 0;
-    for (size_t failAt = 0; failAt < 40; ++failAt) {
-        test_heap_init(&heap, failAt);
-        bmr::registry::SetAllocator(&heap.allocator);
-        {
-            ConvexShape shape;
-            const bmr_error first = shape.Set(big.data(), 100);
-            REQUIRE((first == BMR_OK || first == BMR_ERROR_NO_MEMORY));
-            const ConvexShape before = shape;
-            const bmr_error errors[] = {shape.Set(other.data(), 50), shape.SetRaw(other.data(), 50),
-                                        shape.SetRegular(64, 1.0f), shape.SetRounded(2.0f, 1.0f, 0.5f, 8)};
-            for (const bmr_error error : errors) {
-                CHECK((error == BMR_OK || error == BMR_ERROR_NO_MEMORY));
-                failures += error != BMR_OK;
-            }
-            if (failAt < heap.asked && first == BMR_OK) {
-                shape = before;
-                CHECK(shape.GetVertexCount() == 100);
-            }
-            if (first != BMR_OK)
-                CHECK(before.GetVertexCount() == 0);
-            if (shape.GetVertexCount() > 8 && shape.Simplify(0.01f) != BMR_OK)
-                ++failures;
-        }
-        bmr::registry::SetAllocator(nullptr);
-        CHECK(bmr::registry::Count() == 0);
-        // The chunk of handles stays, once.
-        CHECK(heap.blocks <= 1);
-        CHECK(heap.wrong_sizes == 0);
-    }
-    CHECK(failures > 10);
-}
 
 TEST_CASE("copies, clones and fixtures share one polygon, and the last frees it") {
     REQUIRE(bmr::registry::Count() == 0);
