@@ -260,54 +260,49 @@ TEST(the_sum_fits_its_block_at_every_rotation) {
         }
 }
 
-static test_drive_result random_drive(size_t i, size_t round, test_random *random) {
-    // Some are tiny, huge, of unequal size, or far from the origins of their frames.
-    const double scales[] = {1.0, 1.0, 1.0, 1e-4, 1e3}, ratios[] = {1.0, 1.0, 1.0, 0.01, 100.0};
-    const double scale = scales[test_random_below(random, 5)];
-    const double ratio = scale == 1.0 ? ratios[test_random_below(random, 5)] : 1.0;
-    const double shift = test_random_below(random, 3) == 0 ? 5.0 * scale : 0.0;
-    const bmr_kds_domain domain = bmr_kds_at(i)->domain;
-    own_kds_body a = any_body(random, scale, shift);
-    own_kds_body b = domain == BMR_KDS_POINT
-                         ? test_kds_point_make(scale * test_random_uniform(random, -1.0, 1.0), shift)
-                         : any_body(random, scale * ratio, 0.5 * shift);
-    bmr_kds_def def = bmr_default_kds_def();
-    const double size = a.polygon->radius + b.polygon->radius + 0.1 * scale;
-    def.margin = 1e-6 * size;
-    const test_path_kind kind = (test_path_kind)test_random_below(random, TEST_PATH_KIND_COUNT);
-    const double gap = size * exp(test_random_uniform(random, log(1e-4), log(1.0)));
-    const bool rotates = domain != BMR_KDS_TRANSLATION && test_random_below(random, 3) > 0;
-    test_path path = test_path_make(kind, a.polygon, b.polygon, gap, rotates, random);
-    if (!rotates && kind != TEST_PATH_HIT && test_random_below(random, 2) == 0)
-        path.angle = 0.0; // exactly parallel edges that stay so
-    const test_drive how = {.path = &path, .resolution = 1e-5, .margin = def.margin};
-    own_kds *kds = made(i, &def, &a, &b);
-    const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
-    if (!test_drive_is_sound(&r))
-        printf("%s, round %zu, path %d: audits %u (%s) dead %u contacts %u false %u missed none %u\n",
-               bmr_kds_at(i)->name, round, kind, r.false_audits, bmr_error_describe(r.error), r.dead_repairs,
-               r.false_contacts, r.missed_contacts, r.changed_by_none);
-    assert_true(test_drive_is_sound(&r));
-    // A path of the sizes of two points does not move.
-    if (kind == TEST_PATH_HIT && a.polygon->count + b.polygon->count > 2)
-        assert_true(r.contact_time < 1.0);
-    return r;
+/// Hands out one place, again and again: for a polygon that is made without scratch memory.
+static _Alignas(64) unsigned char place[1024];
+static void *take_place(void *context, size_t size) {
+    (void)context;
+    return size <= sizeof place ? place : NULL;
+}
+static void leave_place(void *context, void *block, size_t size) {
+    (void)context, (void)block, (void)size;
 }
 
-TEST(every_structure_is_valid_on_random_motions) {
-    for (size_t i = 0; i < bmr_kds_count(); ++i) {
-        test_random random = {202 + i};
-        uint64_t kinds[BMR_KDS_EVENT_KIND_COUNT] = {0}, events = 0;
-        const size_t rounds = 20 + test_scaled(400); // rare events want some rounds at any scale
-        for (size_t round = 0; round < rounds; ++round) {
-            const test_drive_result r = random_drive(i, round, &random);
-            for (int k = 0; k < BMR_KDS_EVENT_KIND_COUNT; ++k)
-                kinds[k] += r.events[k];
-            events += test_drive_events(&r);
-        }
-        assert_true(events > rounds && kinds[BMR_KDS_CONTACT] > rounds / 10 && kinds[BMR_KDS_LEAVE] > 0);
-        if (strncmp(bmr_kds_at(i)->name, "lazy-", 5) == 0) // every kind that these know took place
-            assert_true(kinds[BMR_KDS_PUSH] > rounds / 4 && kinds[BMR_KDS_STAB] > rounds / 4 &&
-                        kinds[BMR_KDS_ROLL] > rounds / 4);
+static bmr_shape triangle_in_place(double width, const bmr_allocator *allocator) {
+    const bmr_vec2 vertices[] = {{0.0, 0.0}, {width, 0.0}, {0.0, 1.0}};
+    bmr_polygon *made = NULL;
+    assert_int_equal(bmr_polygon_create_raw(vertices, 3, allocator, &made), BMR_OK);
+    const bmr_shape shape = {.polygon = made};
+    return shape;
+}
+
+/// The hierarchy is kept while its polygon is freed and another made at the same address.
+TEST(a_hierarchy_of_a_polygon_that_is_no_more_is_refused) {
+    const bmr_allocator one_place = {take_place, leave_place, NULL};
+    const bmr_kds_info *info = test_structure("lazy-dudley");
+    const bmr_kds_def def = bmr_default_kds_def();
+    bmr_shape a = triangle_in_place(1.0, NULL), b = triangle_in_place(1.0, &one_place);
+    own_hierarchy *of_a = NULL, *of_b = NULL;
+    assert_int_equal(bmr_hierarchy_build_dudley(a.polygon, NULL, &of_a), BMR_OK);
+    assert_int_equal(bmr_hierarchy_build_dudley(b.polygon, NULL, &of_b), BMR_OK);
+    a.hierarchies[BMR_HIERARCHY_DUDLEY] = of_a;
+    // Of the second the old lines are support lines, up to rounding: the stamp alone tells.
+    const double widths[] = {2.0, 1.0 + 0x1p-48, 1.0};
+    for (int k = 0; k < 3; ++k) {
+        const bool same = widths[k] == 1.0;
+        b = triangle_in_place(widths[k], &one_place);
+        b.hierarchies[BMR_HIERARCHY_DUDLEY] = of_b;
+        const bmr_error expected = same ? BMR_OK : BMR_ERROR_WRONG_HIERARCHY;
+        assert_ptr_equal(bmr_hierarchy_polygon(of_b), b.polygon);
+        assert_int_equal(bmr_hierarchy_audit(of_b), same ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE);
+        bmr_kds *kds = NULL;
+        assert_int_equal(bmr_kds_create(info, &def, &a, &b, NULL, &kds), expected);
+        bmr_kds_destroy(kds, NULL);
+        kds = NULL;
+        assert_int_equal(bmr_kds_create(info, &def, &b, &a, NULL, &kds), expected);
+        bmr_kds_destroy(kds, NULL);
     }
+    bmr_polygon_destroy((bmr_polygon *)(uintptr_t)a.polygon, NULL);
 }

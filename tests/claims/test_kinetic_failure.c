@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// First failure times against long double: dense looks, minima between them
-// sought out, on random motions of every kind. Never late, at most the
-// tolerance early.
+// First failure times against long double: dense looks, minima between them sought out. Never late, at most
+// the tolerance early. (On motions of every kind: random/fuzz_events.c.)
 #include <float.h>
 
 #include "boomerang/failure.h"
@@ -158,50 +157,6 @@ static bool starts_positive(const trial *r, double after) {
     return value > 1e-6L * size;
 }
 
-/// Section 2, failure times: when a certificate fails is a root of a polynomial.
-TEST(no_failure_is_late_and_none_early) {
-    test_random random = {20261121};
-    const size_t rounds = test_scaled(40);
-    size_t judged = 0, failing = 0, controls = 0, caught = 0;
-    long double worst = 0.0L;
-    for (size_t round = 0; round < rounds; round++)
-        for (int a = 0; a < MOTION_KINDS; a++)
-            for (int b = 0; b < MOTION_KINDS; b++)
-                for (int k = 0; k < BMR_CONDITION_KIND_COUNT; k++) {
-                    trial r = make_trial(&random, (motion_kind)a, (motion_kind)b, k);
-                    const double after = uniform(&random, BEGIN, 0.5 * END);
-                    const double tolerance = pow(10.0, uniform(&random, -13.0, -3.0));
-                    if (starts_positive(&r, after)) {
-                        const double time = failure(&r, after, BMR_ROOT_BERNSTEIN, tolerance);
-                        const double width = 1.01 * tolerance * fmax(1.0, fabs(time));
-                        const oracle_verdict v =
-                            oracle_judge(&r.moving, after, END, time, isinf(time) ? 0.0 : width, LOOKS);
-                        if (v.late || v.early)
-                            printf("round %zu kinds %d %d condition %d: time %.17g "
-                                   "late %d early %d "
-                                   "worst %Lg tolerance %g\n",
-                                   round, a, b, k, time, v.late, v.early, v.worst, tolerance);
-                        assert_false(v.late);
-                        assert_false(v.early);
-                        worst = fminl(worst, v.worst);
-                        judged++;
-                        failing += !isinf(time);
-                        // The control: a time that is late, or none, is caught where there
-                        // is one.
-                        if (!isinf(time) && time + 0.02 < END) {
-                            controls++;
-                            caught += oracle_judge(&r.moving, after, END, time + 0.02, 0.0, LOOKS).late;
-                        }
-                    }
-                    drop_trial(&r);
-                }
-    printf("%zu judged, %zu with a failure, worst value %Lg of the "
-           "lengths; controls %zu of %zu\n",
-           judged, failing, worst, caught, controls);
-    assert_true(failing > judged / 5 && judged - failing > judged / 10);
-    assert_true(caught > controls * 9 / 10);
-}
-
 /// The condition that holds where this one does not.
 static void negate(bmr_condition *k) {
     k->normal = bmr_neg(k->normal);
@@ -271,6 +226,7 @@ TEST(a_condition_and_its_opposite_take_turns) {
 }
 
 /// Degree 8 everywhere: conditions of degree 24 to 48.
+/// Section 2, failure times: when a certificate fails is a root of a polynomial.
 TEST(the_highest_degrees_are_judged_too) {
     test_random random = {88};
     const size_t rounds = test_scaled(150);
@@ -304,40 +260,4 @@ TEST(the_highest_degrees_are_judged_too) {
             drop_trial(&r);
         }
     assert_true(failing > rounds / 2);
-}
-
-/// A point comes down on a wall, up to `depth` behind it at time 1, and goes away: from one plan to the
-/// other, or on a parabola.
-static oracle_trial touching(bool parabola, double depth) {
-    oracle_trial r;
-    memset(&r, 0, sizeof r);
-    r.condition = bmr_condition_beyond(0, bmr_vec2_make(0.0, 1.0), 1.0, bmr_vec2_make(0.0, 0.0), 0);
-    const bmr_pose here = bmr_pose_identity(), below = {{0.0, 1.0 - depth}, 1.0, 0.0};
-    const bmr_vec2 down = {0.0, -1.0}, up = {0.0, 1.0}, rest = {0.0, 0.0};
-    r.a = (oracle_plan){1, {-INFINITY}, {bmr_piece_screw(0.0, here, rest, 0.0)}};
-    r.b = (oracle_plan){
-        2, {-INFINITY, 1.0}, {bmr_piece_screw(1.0, below, down, 0.0), bmr_piece_screw(1.0, below, up, 0.0)}};
-    if (parabola) {
-        const bmr_algebraic_piece bounce = {.degree = 2, .y = {1.0 - depth, 0.0, 1.0}};
-        r.b.pieces[0] = test_algebraic(1.0, bounce);
-        r.b.count = 1;
-    }
-    return r;
-}
-
-/// A touch may be reported or passed over, wherever the looks fall; a dip that is deeper must be found.
-TEST(the_oracle_finds_touches_between_its_looks) {
-    const double tolerance = 1e-4;
-    for (int parabola = 0; parabola < 2; parabola++) {
-        const oracle_trial touch = touching(parabola, 0.0), dip = touching(parabola, 1e-9);
-        for (double early = 1e-11; early < 1e-3; early *= 1.7) {
-            const oracle_verdict v = oracle_judge(&touch, 0.0, 2.0, 1.0 - early, tolerance, LOOKS);
-            assert_false(v.late);
-            assert_int_equal(v.early, early > tolerance);
-        }
-        for (double until = 1.5; until < 3.0; until += 0.0137) { // the looks fall elsewhere
-            assert_false(oracle_judge(&touch, 0.0, until, INFINITY, 0.0, LOOKS).late);
-            assert_true(oracle_judge(&dip, 0.0, until, INFINITY, 0.0, LOOKS).late);
-        }
-    }
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The search for a rigid motion of bounded degree that costs more than the square root of D/sigma events
-// (docs/rigid-adversary.md): motions built by hand, whose growth is fitted, and a random search with hill
-// climbing. The control is a motion of unbounded degree, whose events grow faster and are told apart.
-//
-// BMR_TEST_SCALE=16 is the campaign: D/sigma up to 80,000 for the motions by hand, 16 times the climbing.
+// (docs/rigid-adversary.md): motions built by hand, whose growth is fitted. The control is a motion of
+// unbounded degree, whose events grow faster and are told apart. BMR_TEST_SCALE=16: D/sigma up to 80,000.
 #include "boomerang/analysis.h"
 #include "checks.h"
 #include "kds/registry.h"
@@ -278,124 +276,6 @@ TEST(control_many_turns_cost_more_than_the_root) {
     grow(TURNS, LAST_RATIO / 4.0, growth); // it costs as much as the motions above together
     for (size_t k = 0; k < STRUCTURES; ++k)
         assert_false(is_root_at_most(&growth[k]));
-}
-
-// ---- By climbing ----
-
-static double in(test_random *random, double low, double high) {
-    return test_random_uniform(random, low, high);
-}
-
-#define CLIMB_RATIO 400.0
-#define CLIMB_VERTICES 256.0
-/// Over sqrt(D/sigma). Two discs that roll on each other cost 13.
-#define MOST_EVENTS 20.0
-/// Below as many over sqrt(D/sigma) a motion has had some 20 events, by chance.
-#define LEAST_EVENTS 1.0
-/// Every coefficient of a start is at most this; the climb may leave it.
-#define RANGE 2.0
-
-static void change_piece(bmr_motion_piece *piece, double size, test_random *random) {
-    if (piece->kind == BMR_PIECE_SCREW) {
-        bmr_screw_motion *screw = &piece->as.screw;
-        screw->velocity.x += in(random, -size, size);
-        screw->velocity.y += in(random, -size, size);
-        // At most a turn, as what is compared is the cost of a turn.
-        screw->spin = fmax(-2.0 * PI, fmin(2.0 * PI, screw->spin + PI * in(random, -size, size)));
-        return;
-    }
-    bmr_algebraic_piece *algebraic = &piece->as.algebraic;
-    for (size_t i = 0; i <= algebraic->degree; ++i) {
-        algebraic->x[i] += in(random, -size, size);
-        algebraic->y[i] += in(random, -size, size);
-    }
-    for (size_t i = 0; i <= algebraic->rotation_degree; ++i) {
-        algebraic->a[i] += in(random, -size, size);
-        algebraic->b[i] += in(random, -size, size);
-    }
-}
-
-static trial changed(const trial *from, double size, test_random *random) {
-    trial t = *from;
-    for (int side = 0; side < 2; ++side) {
-        body_def *body = &t.bodies[side];
-        body->phase += in(random, -size, size);
-        body->x += 0.5 * in(random, -size, size);
-        body->y += 0.5 * in(random, -size, size);
-        if (test_random_below(random, 4) == 0) {
-            const double factor = exp(in(random, -size, size));
-            body->vertices = (size_t)fmin(CLIMB_VERTICES, fmax(3.0, (double)body->vertices * factor));
-        }
-        change_piece(&t.pieces[side], size, random);
-    }
-    return t;
-}
-
-static trial random_trial(test_random *random) {
-    trial t = {.out = {1.0, 0.0}};
-    for (int side = 0; side < 2; ++side) {
-        t.bodies[side] = (body_def){
-            (outline)test_random_below(random, OUTLINES), 3, 0.0, 0.0, 0.0, exp(in(random, -4.0, 0.0))};
-        t.bodies[side].vertices = (size_t)exp(in(random, 1.5, 5.5));
-        t.pieces[side] = spin(0.0);
-        if (test_random_below(random, 2) == 0) {
-            t.pieces[side] = (bmr_motion_piece){.kind = BMR_PIECE_ALGEBRAIC, .origin = 0.5};
-            t.pieces[side].as.algebraic =
-                (bmr_algebraic_piece){.degree = side == 0 ? 0 : 1 + test_random_below(random, 4),
-                                      .rotation_degree = 1 + test_random_below(random, 2),
-                                      .start_c = 1.0};
-        }
-    }
-    return changed(&t, RANGE, random);
-}
-
-/// The structure's events over sqrt(D/sigma); 0 if the trial came to nothing.
-static double score(const trial *t, double ratio, size_t structure) {
-    price cost;
-    return measure(t, ratio, &cost) ? cost.events[structure] / sqrt(cost.ratio) : 0.0;
-}
-
-/// A third of the climbs for each structure; in turns from random motions and from one by hand.
-static trial start_of(size_t climb, bool *guided, test_random *random) {
-    *guided = climb / STRUCTURES % 2 == 1;
-    if (!*guided)
-        return random_trial(random);
-    trial t = by_hand((hand)(climb / (2 * STRUCTURES) % GEAR), CLIMB_RATIO);
-    for (int side = 0; side < 2; ++side)
-        t.bodies[side].vertices = (size_t)fmin(CLIMB_VERTICES, (double)t.bodies[side].vertices);
-    return t;
-}
-
-/// The best motions of the climbs, and what they cost against the root where D/sigma is 16 times as much: a
-/// motion of exponent p > 1/2 costs 16^(p - 1/2) times as much against it, twice where p = 3/4.
-TEST(no_climb_finds_more_than_the_root) {
-    enum { CLIMBS = 2 * STRUCTURES, STEPS = 60 };
-    const size_t climbs = test_scaled(CLIMBS);
-    for (size_t climb = 0; climb < climbs; ++climb) {
-        test_random random = {4099u * climb + 1u};
-        const size_t structure = climb % STRUCTURES;
-        bool guided;
-        trial best = start_of(climb, &guided, &random);
-        double most = score(&best, CLIMB_RATIO, structure);
-        for (int step = 0; step < STEPS; ++step) {
-            const bool anew = most == 0.0 || (!guided && step < STEPS / 3);
-            const trial next =
-                anew ? random_trial(&random) : changed(&best, RANGE * exp(in(&random, -7.0, -1.0)), &random);
-            const double now = score(&next, CLIMB_RATIO, structure);
-            if (now > most) {
-                most = now;
-                best = next;
-            }
-        }
-        const double finer = score(&best, 16.0 * CLIMB_RATIO, structure);
-        printf("climb %zu: %-12s %5.2f sqrt(D/sigma), %5.2f where sigma is a 16th, outlines %d %d, "
-               "vertices %zu %zu\n",
-               climb, structures[structure]->name, most, finer, (int)best.bodies[0].outline,
-               (int)best.bodies[1].outline, best.bodies[0].vertices, best.bodies[1].vertices);
-        assert_true(most > 0.0);
-        assert_true(most < MOST_EVENTS);
-        assert_true(most < LEAST_EVENTS || finer < 2.0 * most);
-    }
 }
 
 /// The gear of half as many corners, sqrt(D/sigma)/2: the repairs of one structure.
