@@ -16,7 +16,6 @@ Tables, each printed as its page has it (docs/cost-model.md):
   listeners  the scenes of games with each contact listener, stock over plugin (SCENES="a b": these alone)
   sizes      docs/any-size-polygons.md: polygons of 8 to 4096 vertices, and circles, with the plugin
   outlines   docs/outlines.md: bodies of outlines beside the same of triangles
-  scenes     each scene of the testbed, stock over plugin (SCENES="a b": these alone)
 --steps N   steps of each scene (default: the scene's own)
 Exit codes: 0 done; 2 wrong usage; 3 a program failed.
 TEXT
@@ -222,33 +221,9 @@ outlines() {
     done
 }
 
-# name,steps of every scene that stock Box2D has
-list_scenes() {
-    "$build/bin/boomerang-scene" --list-json | awk -F'": |,$' '
-        /^ *"group/ { any_size = $2 ~ /any-size/ }
-        /^ *"name/ { gsub(/"/, "", $2); name = $2 }
-        /^ *"steps/ && !any_size { print name "," $2 }'
-}
-
-scenes() {
-    local name count sums
-    echo "| scene | steps | stock, instructions a step | plugin |"
-    echo "| --- | --- | --- | --- |"
-    while IFS=, read -r name count; do
-        [[ -z ${SCENES:-} || " $SCENES " = *" $name "* ]] || continue
-        count=${steps:-$count}
-        sums=()
-        profiled "$build/bin/boomerang-scene" "$name" --mode time --steps "$count"
-        sums+=("$(inclusive b2World::Step)")
-        profiled "$build/bin/boomerang-scene-plugin" "$name" --mode time --steps "$count"
-        sums+=("$(inclusive b2World::Step)")
-        echo "| $name | $count | $((sums[0] / count)) | $(ratio "${sums[0]}" "${sums[1]}") |"
-    done < <(list_scenes)
-}
-
 for table in "${tables[@]}"; do
     case $table in
-    calls | bodies | asleep | listeners | sizes | outlines | scenes) "$table" ;;
+    calls | bodies | asleep | listeners | sizes | outlines) "$table" ;;
     *) usage >&2; exit 2 ;;
     esac
 done

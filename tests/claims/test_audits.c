@@ -120,30 +120,6 @@ TEST(the_separating_edge_has_its_own_line_and_the_nearest_vertex) {
     assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
 }
 
-/// Between the ends of a bracket, where two points of the window tie, a vertex between them is farther.
-TEST(a_window_bounds_in_the_middle_of_its_bracket_too) {
-    own_stage s = stage_of("free-fd2", regular(16), regular(16), 0.2);
-    bmr_windowed_line *w = (bmr_windowed_line *)(void *)s.kds->state;
-    const int other = 1 - w->owner;
-    const bmr_polygon *p = s.kds->shapes[other].polygon;
-    const bmr_vec2 d = other == 1 ? bmr_neg(bmr_unrotate(&s.now.pose, w->line.normal))
-                                  : bmr_neg(bmr_rotate(&s.now.pose, w->line.normal));
-    const uint32_t i = bmr_polygon_support(p, d), before = (i + 15) % 16, after = (i + 1) % 16;
-    w->count = 2;
-    w->point[0] = p->vertices[before];
-    w->point[1] = p->vertices[after];
-    w->low = bmr_polygon_normal(p, (before + 15) % 16);
-    w->high = bmr_polygon_normal(p, after);
-    assert_refused(&s);
-    // The control: with the vertex it is a window.
-    w->count = 3;
-    w->point[2] = p->vertices[i];
-    assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
-    // Without a bracket the window must be all vertices.
-    w->low = w->high = bmr_vec2_make(0.0, 0.0);
-    assert_refused(&s);
-}
-
 /// A sum has as many vertices as both, and its block is made for all of them: what could not be is refused at
 /// once.
 TEST(sums_that_are_too_large_are_refused) {
@@ -160,73 +136,6 @@ TEST(sums_that_are_too_large_are_refused) {
         bmr_kds *kds = NULL;
         assert_int_equal(bmr_kds_create(info, &def, &shape, &shape, NULL, &kds), BMR_ERROR_OUT_OF_RANGE);
         assert_null(kds);
-    }
-}
-
-/// Nothing has failed, and nothing is repaired: the state stays as it was, to the bit.
-TEST(an_early_repair_of_a_windowed_line_changes_nothing) {
-    static const char *const names[] = {"free-fd2", "two-lines", "predict-adaptive", "inflated-translation"};
-    for (size_t k = 0; k < sizeof names / sizeof *names; ++k) {
-        own_stage s = stage_of(names[k], regular(24), regular(16), 0.2);
-        const size_t bytes = bmr_kds_bytes(s.kds);
-        unsigned char before[4096];
-        assert_true(bytes <= sizeof before);
-        memcpy(before, s.kds, bytes);
-        bmr_kds_report report;
-        bmr_kds_repair(s.kds, &s.now, 0, &report);
-        assert_int_equal(report.kind, BMR_KDS_NONE);
-        assert_true(report.apart && !report.line_changed);
-        assert_memory_equal(s.kds, before, bytes);
-        // B leaps to another angle without a spin: which way it turned is seen in what failed.
-        for (int turn = 1; turn < 12 && bmr_kds_get_info(s.kds)->domain == BMR_KDS_RIGID; ++turn) {
-            s.now.pose = test_pose_at(s.a.polygon, s.b.polygon, 0.3 + 0.02 * turn, 0.5 + 0.4 * turn, 0.2);
-            bmr_kds_repair(s.kds, &s.now, 0, &report);
-            assert_true(report.apart);
-            assert_int_equal(bmr_kds_audit(s.kds, &s.now.pose), BMR_OK);
-        }
-    }
-}
-
-TEST(a_pair_is_audited_field_by_field) {
-    for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
-        test_random random = {3};
-        OWNED(test_body_destroy)
-        test_body a = test_body_make(test_polygon(TEST_ELLIPSE, 40, &random), (bmr_structure)structure),
-                  b = test_body_make(test_polygon(TEST_ELLIPSE, 40, &random), (bmr_structure)structure);
-        const bmr_shape shape_a = test_body_shape(&a), shape_b = test_body_shape(&b);
-        bmr_pair_def def = bmr_default_pair_def();
-        def.structure = (bmr_structure)structure;
-        const bmr_pose near = test_pose_at(a.polygon, b.polygon, 0.3, 0.5, 0.01);
-        bmr_pair pair;
-        bmr_pair_init(&pair);
-        assert_int_equal(bmr_pair_advance(&pair, &def, &shape_a, &shape_b, &near, NULL, NULL), BMR_APART);
-        assert_true(pair.level >= 0);
-        assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &shape_b, &near), BMR_OK);
-        assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &shape_b, NULL), BMR_ERROR_NULL_ARGUMENT);
-        const bmr_pair right = pair;
-        pair.owner = 2;
-        assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &shape_b, &near), BMR_ERROR_INVALID_STRUCTURE);
-        pair = right;
-        pair.edge = 1000; // neither a vertex nor an edge
-        assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &shape_b, &near), BMR_ERROR_INVALID_STRUCTURE);
-        pair = right;
-        if (structure == BMR_TWO_LINES) {
-            pair.free = 0; // the coarse line is another one
-            assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &shape_b, &near),
-                             BMR_ERROR_INVALID_STRUCTURE);
-            pair = right;
-        }
-        if (structure < BMR_FREE_DIRECTION) {
-            bmr_shape bare = shape_a;
-            bare.hierarchies[structure] =
-                NULL; // as for another structure, which its next repair will make of it
-            assert_int_equal(bmr_pair_audit(&pair, &def, &bare, &shape_b, &near),
-                             BMR_ERROR_INVALID_STRUCTURE);
-            bare = shape_b;
-            bare.hierarchies[structure] = shape_a.hierarchies[structure]; // of another polygon
-            assert_int_equal(bmr_pair_audit(&pair, &def, &shape_a, &bare, &near),
-                             BMR_ERROR_INVALID_STRUCTURE);
-        }
     }
 }
 

@@ -231,18 +231,3 @@ TEST_CASE("the search for a start takes logarithmically many steps, where vertic
         std::free(q);
     }
 }
-
-TEST_CASE("control: a separation that is little off, or of another direction, is noticed") {
-    const Points a = {{0.0L, -1.0L}, {0.0L, 1.0L}, {-1.0L, 0.0L}}, b = {{1.0L, 0.0L}, {2.0L, 0.5L}};
-    const double off = 2.0 * BMR_DISTANCE_TOLERANCE;
-    Tally tally;
-    Judge(a, b, {{1.0, 0.0}, 1.0, 1, 0}, 4.0L, tally);
-    CHECK(tally.tooLittle + tally.tooMuch + tally.notSeparated == 0);
-    Judge(a, b, {{1.0, 0.0}, 1.0 - off, 1, 0}, 4.0L, tally);
-    CHECK(tally.tooLittle == 1);
-    Judge(a, b, {{0.96, 0.28}, 1.0, 1, 0}, 4.0L, tally); // separates by 0.68
-    CHECK(tally.notSeparated == 1);
-    CHECK(tally.tooMuch == 0);
-    Judge(a, b, {{1.0, 0.0}, 1.0 + 1e-14, 1, 0}, 4.0L, tally);
-    CHECK(tally.tooMuch == 1);
-}

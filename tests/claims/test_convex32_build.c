@@ -6,79 +6,12 @@
 #include "convex32/convex32.h"
 #include "convex32/directions.h"
 #include "convex32_loops.h"
-#include "failing_allocator.h"
-#include "polygons.h"
+#include "convex32_poses.h"
 #include "test_scale.h"
-
-// --- Random polygons of any size in float, and directions that are hard for them.
 
 static bmr_vec32 vec(double x, double y) {
     const bmr_vec32 v = {(float)x, (float)y};
     return v;
-}
-
-/// Points of a family, of any size, thinness and place. At most n + 12.
-static size_t random_points(test_random *random, size_t n, bmr_vec32 *points) {
-    bmr_vec2 *wide = malloc((n + 12) * sizeof *wide);
-    assert_non_null(wide);
-    const test_family family = (test_family)test_random_below(random, TEST_FAMILY_COUNT);
-    const size_t count = test_points(family, n, random, wide);
-    const double size = pow(10.0, test_random_uniform(random, -4.0, 4.0));
-    const double away = test_random_below(random, 3) ? 0.0 : size * test_random_uniform(random, 0.0, 100.0);
-    const bool plain = test_random_below(random, 8) == 0;
-    for (size_t i = 0; i < count; ++i)
-        points[i] = plain ? vec(wide[i].x, wide[i].y) : vec(size * wide[i].x + away, size * wide[i].y - away);
-    free(wide);
-    return count;
-}
-
-/// Never NULL: where the floats leave no polygon, another one is tried.
-static bmr_convex32_block *random_polygon(test_random *random, size_t n) {
-    bmr_vec32 *points = malloc((n + 12) * sizeof *points);
-    bmr_convex32_block *block = NULL;
-    assert_non_null(points);
-    while (!block) {
-        const size_t count = random_points(random, n, points);
-        const bmr_error error = bmr_convex32_create(points, count, NULL, &block);
-        assert_true(error == BMR_OK || error == BMR_ERROR_TOO_FEW_POINTS || error == BMR_ERROR_OUT_OF_RANGE);
-    }
-    free(points);
-    return block;
-}
-
-/// Mostly small, now and then huge.
-static size_t random_count(test_random *random) {
-    switch (test_random_below(random, 64)) {
-    case 0:
-        return 3 + test_random_below(random, 20000);
-    case 1:
-    case 2:
-    case 3:
-        return 3 + test_random_below(random, 2000);
-    default:
-        return 3 + test_random_below(random, 80);
-    }
-}
-
-static bmr_vec32 random_direction(test_random *random, const bmr_convex32 *p) {
-    const double angle = test_random_uniform(random, -3.2, 3.2);
-    bmr_vec32 d = vec(cos(angle), sin(angle));
-    switch (test_random_below(random, 8)) {
-    case 0:
-        return p->normals[test_random_below(random, p->count)];
-    case 1:
-        d.x *= 1e-6f;
-        return d;
-    case 2:
-        return vec(1e-30 * (double)d.x, 1e-30 * (double)d.y);
-    case 3: {
-        static const float axes[][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}};
-        const uint32_t k = test_random_below(random, COUNT_OF(axes));
-        return vec((double)axes[k][0], (double)axes[k][1]);
-    }
-    default:
-        return d;
-    }
 }
 
 #define PI 3.14159265358979323846
@@ -131,9 +64,8 @@ TEST(polygons_have_up_to_65535_vertices) {
     assert_int_equal(block->polygon.count, BMR_CONVEX32_MOST);
     assert_int_equal(bmr_convex32_audit(&block->polygon), BMR_OK);
     assert_true(bmr_convex32_bytes(BMR_CONVEX32_MOST) <= 40 * (size_t)BMR_CONVEX32_MOST);
-    test_random random = {12};
     for (int k = 0; k < 200; ++k) {
-        const bmr_vec32 d = random_direction(&random, &block->polygon);
+        const bmr_vec32 d = vec(cos(0.0314 * k), sin(0.0314 * k));
         assert_true(convex32_dot(block->polygon.vertices[bmr_convex32_support(&block->polygon, d)], d) ==
                     loop_support(&block->polygon, d));
     }
@@ -142,7 +74,7 @@ TEST(polygons_have_up_to_65535_vertices) {
     free(points);
 }
 
-/// (What is bad in other ways: tests/contracts/vertex_arrays.h.)
+/// (What is bad in other ways: tests/random/polygon32.cpp.)
 TEST(points_that_are_hardly_a_polygon_are_one_or_are_refused) {
     const struct {
         bmr_vec32 points[4];
@@ -215,54 +147,8 @@ TEST(the_audit_finds_what_is_wrong) {
     assert_int_equal(bmr_convex32_audit(&p), BMR_OK);
 }
 
-/// Of a needle whose short side is level, the area is known: half of base times height, both differences of
-/// two floats.
-TEST(masses_of_needles_are_exact) {
-    test_random random = {14};
-    size_t made = 0, lost = 0;
-    for (size_t k = 0; k < 100000; ++k) {
-        const float scale = ldexpf(1.0f, (int)floor(test_random_uniform(&random, -40.0, -24.0)));
-        const bmr_vec32 points[3] = {
-            {(float)test_random_uniform(&random, 0.1, 1.0), (float)test_random_uniform(&random, -1.0, 0.5)},
-            {scale * (float)test_random_uniform(&random, 0.0, 1.0), 1.0f},
-            {-scale * (float)test_random_uniform(&random, 0.0, 1.0), 1.0f}};
-        own_convex32 *block = NULL;
-        if (bmr_convex32_create(points, 3, NULL, &block) != BMR_OK)
-            continue;
-        ++made;
-        const long double base = (long double)points[1].x - (long double)points[2].x;
-        const long double area = base * (1.0L - (long double)points[0].y) / 2;
-        assert_true(fabsl((long double)block->mass.area - area) <= 1e-7L * area);
-        const loop_mass truth = loop_measure(&block->polygon);
-        assert_true(fabsl(truth.area - area) <= 1e-12L * area);
-        assert_true(fabsl((long double)block->mass.inertia - truth.inertia) <= 1e-7L * truth.inertia);
-        assert_true(fabsl((long double)block->mass.centroid.x - truth.x) <=
-                    1e-7L * (long double)block->reach);
-        assert_true(fabsl((long double)block->mass.centroid.y - truth.y) <=
-                    1e-7L * (long double)block->reach);
-        // The control: a product of rounded differences is somewhere else.
-        const double ax = (double)points[0].x, ay = (double)points[0].y;
-        const double rounded =
-            ((double)points[1].x - ax) * (1.0 - ay) - (1.0 - ay) * ((double)points[2].x - ax);
-        lost += fabsl(rounded / 2 - area) > 1e-7L * area;
-    }
-    assert_true(made > 100 && lost > 10);
-}
-
-TEST(the_polygon_inside_is_convex_and_spreads) {
-    test_random random = {10};
-    for (size_t k = 0; k < test_scaled(500); ++k) {
-        own_convex32 *block = random_polygon(&random, random_count(&random));
-        const bmr_convex32 *p = &block->polygon;
-        for (uint32_t count = 3; count <= 8; ++count) {
-            uint32_t inner[9];
-            inner[8] = 12345;
-            bmr_convex32_inner(p, inner, count);
-            for (uint32_t i = 0; i < count && i < p->count; ++i)
-                assert_true(inner[i] < p->count && (i == 0 || inner[i - 1] < inner[i]));
-            assert_int_equal(inner[8], 12345);
-        }
-    }
+/// (Of any polygon: random/polygon32.cpp.)
+TEST(the_polygon_inside_spreads) {
     // Of a disk the octagon's depth is its sagitta.
     bmr_vec32 points[256];
     for (int i = 0; i < 256; ++i)
@@ -274,43 +160,6 @@ TEST(the_polygon_inside_is_convex_and_spreads) {
         assert_int_equal(inner[i], 32 * i);
 }
 
-/// Far from each other beside what they span with others: no rounding may leave a vertex out, or one that
-/// there is not.
-TEST(the_polygon_inside_of_a_needle_is_of_its_vertices) {
-    test_random random = {15};
-    size_t lost = 0;
-    for (size_t k = 0; k < 20000; ++k) {
-        const float far = ldexpf(1.0f, (int)floor(test_random_uniform(&random, 20.0, 29.0)));
-        bmr_vec32 points[10] = {{far, far * (float)test_random_uniform(&random, -1.0, 1.0)},
-                                {-far, far * (float)test_random_uniform(&random, -1.0, 1.0)}};
-        for (int i = 2; i < 10; ++i) {
-            const double angle = test_random_uniform(&random, 0.0, 6.3);
-            points[i].x = 1e-7f * (float)cos(angle);
-            points[i].y = 1e-7f * (float)sin(angle);
-        }
-        own_convex32 *block = NULL;
-        if (bmr_convex32_create(points, 10, NULL, &block) != BMR_OK)
-            continue;
-        const bmr_convex32 *p = &block->polygon;
-        for (uint32_t count = 3; count <= 8 && count <= p->count; ++count) {
-            uint32_t inner[8];
-            bmr_convex32_inner(p, inner, count);
-            for (uint32_t i = 0; i < count; ++i)
-                assert_true(inner[i] < p->count && (i == 0 || inner[i - 1] < inner[i]));
-        }
-        // The control: by rounded differences, all vertices of some turn right.
-        bool any = false;
-        for (uint32_t i = 0; i < p->count; ++i) {
-            const bmr_vec32 u = p->vertices[i], v = p->vertices[convex32_next(p, i)],
-                            w = p->vertices[convex32_next(p, convex32_next(p, i))];
-            const double x = (double)v.x - (double)u.x, y = (double)v.y - (double)u.y;
-            any = any || x * ((double)w.y - (double)u.y) - y * ((double)w.x - (double)u.x) <= -1.0;
-        }
-        lost += any;
-    }
-    assert_true(lost > 10);
-}
-
 /// How far a vertex is from the loop at most.
 static double farthest_vertex(const bmr_convex32 *p, const bmr_vec32 *loop, size_t count) {
     double far = 0.0;
@@ -320,12 +169,12 @@ static double farthest_vertex(const bmr_convex32 *p, const bmr_vec32 *loop, size
 }
 
 TEST(simplified_polygons_are_near_and_have_few_vertices) {
-    test_random random = {11};
+    dice d = {11};
     size_t control = 0, reduced = 0;
     for (size_t k = 0; k < test_scaled(300); ++k) {
-        own_convex32 *block = random_polygon(&random, 3 + test_random_below(&random, 400));
+        own_convex32 *block = random_convex32(&d, random_kind(&d), 3 + dice_below(&d, 400));
         const bmr_convex32 *p = &block->polygon;
-        const double tolerance = (double)block->reach * pow(10.0, test_random_uniform(&random, -6.0, 0.0));
+        const double tolerance = (double)block->reach * pow(10.0, dice_in(&d, -6.0, 0.0));
         bmr_vec32 *points = malloc(p->count * sizeof *points);
         assert_non_null(points);
         size_t count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distance, closest points and penetration against all vertices and edges in long double; and for polygons of
+// Distance, closest points and penetration where they are hard (at random: random/fuzz_queries.cpp), and of
 // many vertices against the certificate that an answer is: two points, and a line between the polygons.
 #include "boomerang/distance.h"
 #include "cases.h"
@@ -21,29 +21,6 @@ Polygon Hull(const std::vector<bmr_vec2> &points) {
     bmr_polygon *polygon = nullptr;
     REQUIRE(bmr_polygon_create(points.data(), points.size(), nullptr, &polygon) == BMR_OK);
     return Polygon(polygon);
-}
-
-/// A polygon of any family, one no thicker than rounding, a segment, or a point; some of them of another
-/// size.
-Polygon Random(size_t n, test_random *random) {
-    const uint32_t family = test_random_below(random, TEST_FAMILY_COUNT + 3);
-    std::vector<bmr_vec2> points(n + 12);
-    if (family < TEST_FAMILY_COUNT)
-        points.resize(test_points(static_cast<test_family>(family), n, random, points.data()));
-    else
-        points = {{0.3, 0.2}, {1.0, -0.4}};
-    if (family == TEST_FAMILY_COUNT + 1)
-        points.resize(1);
-    if (family == TEST_FAMILY_COUNT + 2) {
-        points.resize(62);
-        points.resize(test_hard_points(random, points.data()));
-    }
-    const double size = family < TEST_FAMILY_COUNT && test_random_below(random, 4) == 0
-                            ? std::exp2(test_random_uniform(random, -12, 12))
-                            : 1.0;
-    for (bmr_vec2 &p : points)
-        p = bmr_scale(size, p);
-    return Hull(points);
 }
 
 /// A is anywhere; B beside it, with its supports `gap` apart in some direction.
@@ -99,44 +76,6 @@ unsigned StepsOf(const Scene &s) {
 
 } // namespace
 
-TEST_CASE("distances and depths are those of brute force, for all families and gaps") {
-    test_random random = {171};
-    size_t apart = 0, overlapping = 0, longest = 0;
-    for (size_t round = 0; round < test_scaled(4000); ++round) {
-        CAPTURE(round);
-        const Polygon a = Random(3 + test_random_below(&random, 24), &random),
-                      b = Random(3 + test_random_below(&random, 24), &random);
-        const double size = std::fmin(a->extent, b->extent);
-        const double gaps[] = {2.0, 0.1, 1e-3, 1e-7, 1e-12, 0.0, -1e-12, -1e-6, -0.05, -0.7};
-        const Scene s = Beside(a.get(), b.get(), size * gaps[test_random_below(&random, 10)], &random);
-        const bool points = a->count == 1 && b->count == 1;
-        const long double truth =
-            points ? std::hypot(s.points_a[0].x - s.points_b[0].x, s.points_a[0].y - s.points_b[0].y)
-                   : distance::SignedDistance(s.points_a, s.points_b);
-        const bmr_closest_points closest = Closest(s);
-        const bmr_overlap overlap = Overlap(s);
-        CHECK(std::fabs(closest.distance - std::fmax(0.0L, truth)) <= s.tolerance);
-        longest = std::max<size_t>(longest, StepsOf(s));
-        if (closest.distance > 0.0) {
-            CHECK(ProvesItself(s, closest));
-            CHECK(overlap.depth == 0.0);
-            CHECK(overlap.normal.x == 0.0);
-            ++apart;
-        } else {
-            CHECK(closest.normal.x == 0.0);
-            CHECK((points || Agrees(s, overlap, std::fmax(0.0L, -truth))));
-            ++overlapping;
-        }
-        // The other way round.
-        const Scene t = {s.b, s.a, s.pose_b, s.pose_a, s.points_b, s.points_a, s.tolerance};
-        CHECK(std::fabs(Closest(t).distance - closest.distance) <= s.tolerance);
-        CHECK(std::fabs(Overlap(t).depth - overlap.depth) <= s.tolerance);
-    }
-    CHECK(apart > 0);
-    CHECK(overlapping > 0);
-    MESSAGE("apart " << apart << ", overlapping " << overlapping << ", steps at most " << longest);
-}
-
 TEST_CASE("a distance takes a logarithmic number of steps") {
     test_random random = {77};
     unsigned most = 0, most_small = 0;
@@ -179,7 +118,7 @@ TEST_CASE("vertices that close in on a corner cost no more") {
 }
 
 TEST_CASE("a small polygon deep in a large one, far from the origin, is not called apart") {
-    // Found by the first test: an angle that was allowed to be off by the rounding of the places in the
+    // An angle was allowed to be off by the rounding of the places in the
     // world.
     const Polygon a = Hull({{7.3242187499999997e-05, 4.8828125000000003e-05},
                             {0.00012207031250000038, 0.00012207031250000033},

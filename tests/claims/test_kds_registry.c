@@ -56,29 +56,3 @@ TEST(the_sentence_fits_what_it_is_given) {
     assert_int_equal(bmr_kds_describe_unknown(longer, NULL, 0), length + 63); // 64 bytes of it, in place of 1
     assert_true(bmr_kds_describe_unknown(NULL, whole, sizeof whole) == length - 1);
 }
-
-/// The header tells which to take, by name: those and no others are recommended.
-TEST(the_recommended_are_those_that_the_header_names) {
-    static const char *const named[] = {"point-lazy-dudley",    "lazy-dudley",    "two-lines", "hybrid",
-                                        "inflated-translation", "inflated-window"};
-    static const char *const rivals[] = {"closest-features", "inner-tangent", "separating-edge-walk"};
-    size_t recommended = 0, rival = 0;
-    for (size_t i = 0; i < bmr_kds_count(); ++i) {
-        const bmr_kds_role role = bmr_kds_at(i)->role;
-        recommended += role == BMR_KDS_RECOMMENDED;
-        rival += role == BMR_KDS_RIVAL;
-        assert_true(role == BMR_KDS_RECOMMENDED || role == BMR_KDS_CONTROL || role == BMR_KDS_RIVAL);
-    }
-    assert_int_equal(recommended, sizeof named / sizeof *named);
-    assert_int_equal(rival, sizeof rivals / sizeof *rivals);
-    for (size_t i = 0; i < sizeof named / sizeof *named; ++i) {
-        const bmr_kds_info *info = NULL;
-        assert_int_equal(bmr_kds_find(named[i], &info), BMR_OK);
-        assert_int_equal(info->role, BMR_KDS_RECOMMENDED);
-    }
-    for (size_t i = 0; i < sizeof rivals / sizeof *rivals; ++i) {
-        const bmr_kds_info *info = NULL;
-        assert_int_equal(bmr_kds_find(rivals[i], &info), BMR_OK);
-        assert_int_equal(info->role, BMR_KDS_RIVAL);
-    }
-}

@@ -37,16 +37,6 @@ static double first_root(const double *coefficients, size_t degree, double from,
     return root;
 }
 
-TEST(a_quarter_turn_takes_x_to_y) {
-    const double quarter = 2.0 * atan(1.0);
-    const bmr_screw_motion motion = {bmr_pose_identity(), {1.0, 2.0}, quarter};
-    const bmr_pose pose = bmr_screw_motion_pose(&motion, 1.0);
-    const bmr_vec2 image = bmr_transform(&pose, bmr_vec2_make(1.0, 0.0));
-    assert_true(fabs(image.x - 1.0) < 1e-15 && fabs(image.y - 3.0) < 1e-15);
-    // The control: the other sense of rotation would end elsewhere.
-    assert_true(fabs(image.y - 1.0) > 1.0);
-}
-
 TEST(the_first_of_known_roots_is_found) {
     const double roots[] = {0.75, -0.5, 0.25, 2.0};
     double c[5];

@@ -117,12 +117,6 @@ TEST(a_run_into_contact_has_a_distance_of_zero_there) {
     assert_int_equal(bmr_run_course(&def, &course, 2.0, NULL, &run), BMR_ERROR_OUT_OF_RANGE);
 }
 
-TEST(families_know_which_paths_are_convex) {
-    for (int family = 0; family <= BMR_FAMILY_COUNT; family++)
-        assert_int_equal(bmr_family_is_convex((bmr_family)family),
-                         family == BMR_FAMILY_LINE || family == BMR_FAMILY_PARABOLA);
-}
-
 /// At a time this late the next one that a double tells is an eighth of a second on: a hundred metres.
 TEST(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition) {
     own_polygon *p = made_polygon(square, 4);

@@ -82,26 +82,6 @@ TEST(test_orbit_keeps_its_distance_and_closes) {
     }
 }
 
-/// A's body turns by the same angle either way round, as the seed has it.
-TEST(test_seeds_turn_either_way) {
-    own_polygon *a = outline(BMR_OUTLINE_ELLIPSE, 16, 1), *b = outline(BMR_OUTLINE_DISC, 16, 2);
-    const bmr_family turning[] = {BMR_FAMILY_SPIN, BMR_FAMILY_TUMBLE};
-    for (size_t k = 0; k < sizeof turning / sizeof *turning; k++) {
-        int left = 0, right = 0;
-        double rate = 0.0;
-        for (uint64_t seed = 1; seed <= 16; seed++) {
-            own_family m = family_motion(turning[k], 8.0, seed, a, b);
-            double spin;
-            (void)bmr_motion_pose(m.motions[0], 0.5, NULL, &spin);
-            left += spin > 0.0;
-            right += spin < 0.0;
-            assert_true(seed == 1 || fabs(spin) == rate);
-            rate = fabs(spin);
-        }
-        assert_true(left > 0 && right > 0 && left + right == 16);
-    }
-}
-
 /// The control of the measurement: a motion whose least distance is known, and one that touches.
 TEST(test_least_distance_finds_a_short_approach) {
     const bmr_vec2 point = {0.0, 0.0};

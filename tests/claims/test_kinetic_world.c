@@ -279,66 +279,6 @@ TEST(a_gas_keeps_its_energy_and_momentum) {
     play_drop_shapes(&shapes);
 }
 
-/// Runs a gas until there were so many impulses; its bodies' states at the end.
-static bmr_world_counts run_gas(bmr_world *w, bmr_vec2 size, uint64_t impulses, bmr_body_state *states) {
-    bmr_world_counts counts = bmr_world_get_counts(w);
-    for (int slice = 1; counts.impulses < impulses; slice++) {
-        assert_int_equal(bmr_world_advance(w, 4.0 * slice), BMR_OK);
-        if (slice % 16 == 1)
-            assert_int_equal(overlaps(w, true, size, 1e-9, true), 0);
-        counts = bmr_world_get_counts(w);
-    }
-    assert_int_equal(overlaps(w, true, size, 1e-9, true), 0);
-    size_t place = 0, i = 0;
-    for (bmr_body body; (body = bmr_world_next_body(w, &place)) != BMR_NO_BODY; i++)
-        assert_int_equal(bmr_world_get(w, body, &states[i]), BMR_OK);
-    return counts;
-}
-
-/// A million collisions (of a tenth: a thousand), twice: no overlap on the way, the energy is what it was,
-/// and every bit the same.
-TEST(a_million_collisions_twice_have_the_same_bits) {
-    enum { SIDE = 12 };
-    static bmr_body_state states[2][SIDE * SIDE], other[SIDE * SIDE];
-    const bmr_vec2 size = {2.4 * SIDE, 2.4 * SIDE};
-    const size_t tenth = test_scaled(100);
-    const uint64_t collisions = (uint64_t)tenth * tenth * tenth;
-    test_random random = {5};
-    play_shapes shapes;
-    play_make_shapes(&shapes, &random);
-    bmr_world_counts counts[2];
-    double before = 0.0, after = 0.0;
-    for (int run = 0; run < 2; run++) {
-        own_world *w = make_gas(&shapes, SIDE, BMR_PERIODIC, false);
-        before = bmr_world_get_totals(w).energy;
-        counts[run] = run_gas(w, size, collisions, states[run]);
-        after = bmr_world_get_totals(w).energy;
-    }
-    printf("%llu impulses, energy %.1e\n", (unsigned long long)counts[0].impulses,
-           fabs(after - before) / before);
-    assert_true(fabs(after - before) < 1e-9 * before);
-    assert_int_equal(counts[0].impulses, counts[1].impulses);
-    assert_memory_equal(counts[0].events, counts[1].events, sizeof counts[0].events);
-    for (size_t i = 0; i < SIDE * SIDE; i++) {
-        assert_memory_equal(&states[0][i].pose, &states[1][i].pose, sizeof states[0][i].pose);
-        assert_memory_equal(&states[0][i].velocity, &states[1][i].velocity, sizeof states[0][i].velocity);
-        assert_memory_equal(&states[0][i].spin, &states[1][i].spin, sizeof states[0][i].spin);
-    }
-    // Control: where one body is a rounding to the side, all are elsewhere after a thousand.
-    bmr_world *w = make_gas(&shapes, SIDE, BMR_PERIODIC, false);
-    assert_int_equal(bmr_world_get(w, 0, &other[0]), BMR_OK);
-    bmr_motion_piece piece = other[0].piece;
-    piece.as.screw.start.position.x = nextafter(piece.as.screw.start.position.x, INFINITY);
-    assert_int_equal(bmr_world_set_piece(w, 0, &piece), BMR_OK);
-    run_gas(w, size, 1000, other);
-    bmr_world_destroy(w);
-    w = make_gas(&shapes, SIDE, BMR_PERIODIC, false);
-    run_gas(w, size, 1000, states[1]);
-    bmr_world_destroy(w);
-    assert_memory_not_equal(&other[0].pose, &states[1][0].pose, sizeof other[0].pose);
-    play_drop_shapes(&shapes);
-}
-
 /// Events and candidates of a body in a unit of time; its memory.
 static void figures(const play_shapes *shapes, int side, bool all_pairs, double figure[3]) {
     own_world *w = make_gas(shapes, side, BMR_PERIODIC, all_pairs);
