@@ -111,7 +111,7 @@ constexpr Symbol kSymbols[] = {
 std::atomic<bool> programHasItsOwn{false};
 
 constexpr char kStep[] = "_ZN7b2World4StepEfii";
-constexpr char kWorld[] = "_ZN7b2WorldC1ERK6b2Vec2"; ///< its constructor, which no wrapper has
+constexpr char kWorld[] = "_ZN7b2WorldC1ERK6b2Vec2";
 constexpr char kCompiledIn[] = "libboomerang_box2d.so is a second copy here. The Box2D of this "
                                "process is compiled with Boomerang already";
 constexpr char kOwnMemory[] =
@@ -203,7 +203,7 @@ const char *WhyNoStepComesBy() {
     if (!StepsComeByHere() && ProgramStepsFirst())
         std::snprintf(words, sizeof words,
                       "%s has a b2World::Step of its own. If Box2D is compiled into it, use "
-                      "boomerang_accelerate(); if it is a function around Box2D's, give it another name",
+                      "boomerang_accelerate()",
                       first);
     else if (!StepsComeByHere() && IsPreloaded())
         std::snprintf(words, sizeof words, "%s is ahead of it. Name it first: LD_PRELOAD=\"%s %s\"", first,

@@ -61,8 +61,6 @@ holds "a game that is linked with the library, and never calls it" tries 0 -- "$
 holds "says so, and a line that a shell takes" says "nothing in it calls bmr::Install.*(BOOMERANG=on /.*/linked\\\\ game|would not pay)"
 holds "one that is linked behind Box2D" tries 3 "$bin/late_game"
 holds "is looked at as it was built" says 'is linked with Boomerang already, but .*/libbox2d.*Link boomerang::box2d ahead of Box2D\.'
-holds "one that wraps b2World::Step" tries 3 "$bin/wrapping_game"
-holds "says so, and what to do" says 'wrapping_game has a b2World::Step of its own.*, give it another name\.'
 preloaded() { LD_PRELOAD=${boomerang%/bin/*}/lib/libboomerang_box2d.so tries "$@"; }
 holds "the library is preloaded already" preloaded 0 -- "$bin/plain_game"
 holds "says so" says 'is preloaded already \(LD_PRELOAD\), ahead of Box2D 2'

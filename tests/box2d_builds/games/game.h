@@ -10,19 +10,12 @@
 
 namespace box2d_builds {
 
-/// What a game's listener throws through b2World::Step.
-struct Thrown {};
-
 /// A plain Box2D program in one world: a scene, and what is asked of it beside.
 class Game : public testbed::Scene {
 public:
     bool Listens() const override { return true; }
-    /// Of the step that follows.
-    virtual float TimeStep() const { return 1.0f / 60.0f; }
     /// Of what it saw that is no state of the world and no event.
     virtual uint64_t Probes() const { return m_probes.Value(); }
-    /// A step was ended by an exception of this game's; the world is locked until one ends well.
-    virtual void AfterException() {}
 
 protected:
     testbed::HashSink m_probes;
@@ -34,24 +27,11 @@ struct GameInfo {
     const char *what;
     int steps;
     std::unique_ptr<Game> (*create)();
-    bool released = false; ///< for a Box2D without assertions
 };
+extern const std::vector<GameInfo> kGames;
 
-template <typename T> std::unique_ptr<Game> Create() {
-    return std::make_unique<T>();
-}
-
-/// Of Box2D's flag b2World::IsLocked, and whether a game may do what Box2D asserts that it does not.
-#if defined(NDEBUG)
-constexpr bool kReleased = true;
-#else
-constexpr bool kReleased = false;
-#endif
-
-/// Each file of games adds its own.
-void AddDisabling(std::vector<GameInfo> &games);
-void AddShapes(std::vector<GameInfo> &games);
-void AddSteps(std::vector<GameInfo> &games);
+/// All that a game does differently which knows of the plugin; called before the first step.
+void InstallPlugin();
 
 } // namespace box2d_builds
 

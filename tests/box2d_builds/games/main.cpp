@@ -13,12 +13,44 @@
 #include <cstring>
 
 #include "actor.h"
-#include "install.h"
-#include "playing.h"
+#include "game.h"
+#include "state/snapshot.h"
 
 using namespace box2d_builds;
 
 namespace {
+
+/// A game while it is played: its world, and a record of all that can be seen of it.
+class Playing {
+public:
+    Playing(std::unique_ptr<Game> game, unsigned long seed)
+        : m_game(std::move(game)), m_stage(*m_game, seed, &m_recorder) {
+        m_recorder.StartStep(false);
+        m_game->Build(m_stage, kSize);
+    }
+    Playing(const Playing &) = delete;
+    Playing &operator=(const Playing &) = delete;
+
+    Game &TheGame() { return *m_game; }
+
+    /// What the game does between steps, and a step. `inWords`: its events are kept as text, too.
+    void Step(int step, bool inWords) {
+        m_recorder.StartStep(inWords);
+        m_game->BeforeStep(m_stage, step);
+        m_stage.World().Step(1.0f / 60.0f, 8, 3);
+    }
+
+    testbed::StateHashes Hashes() { return testbed::HashState(m_stage.World(), m_recorder); }
+    std::string Describe() { return testbed::DescribeState(m_stage.World(), m_recorder); }
+
+private:
+    static constexpr int kSize = 12;
+
+    // In this order: the world goes first, and tells the game of its joints.
+    std::unique_ptr<Game> m_game;
+    testbed::EventRecorder m_recorder;
+    testbed::Stage m_stage;
+};
 
 void Print(Playing &playing) {
     const testbed::StateHashes h = playing.Hashes();
@@ -58,8 +90,8 @@ int PlayRandom(int argc, char **argv) {
     return 0;
 }
 
-int PlayNamed(const std::vector<GameInfo> &games, int argc, char **argv) {
-    for (const GameInfo &game : games) {
+int PlayNamed(int argc, char **argv) {
+    for (const GameInfo &game : kGames) {
         if (std::strcmp(game.name, argv[1]) != 0)
             continue;
         Playing playing(game.create(), 1);
@@ -73,23 +105,17 @@ int PlayNamed(const std::vector<GameInfo> &games, int argc, char **argv) {
 } // namespace
 
 int main(int argc, char **argv) {
-    std::vector<GameInfo> games;
-    AddDisabling(games);
-    AddShapes(games);
-    AddSteps(games);
     if (argc < 2) {
         std::fprintf(stderr, "usage: games list | NAME [dump STEP] | random SEED [dump STEP]\n");
         return 2;
     }
     if (std::strcmp(argv[1], "list") == 0) {
-        for (const GameInfo &game : games)
-            if (kReleased || !game.released)
-                std::printf("%s\n", game.name);
+        for (const GameInfo &game : kGames)
+            std::printf("%s\n", game.name);
         return 0;
     }
     InstallPlugin();
-    const int status =
-        std::strcmp(argv[1], "random") == 0 ? PlayRandom(argc, argv) : PlayNamed(games, argc, argv);
+    const int status = std::strcmp(argv[1], "random") == 0 ? PlayRandom(argc, argv) : PlayNamed(argc, argv);
 #if defined(BOX2D_BUILDS_ALLOCATOR)
     std::fprintf(stderr, "blocks %lu\n", box2dBlocks);
 #endif

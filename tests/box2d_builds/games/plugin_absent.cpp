@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "install.h"
+#include "game.h"
 
-void InstallPlugin() {}
+void box2d_builds::InstallPlugin() {}

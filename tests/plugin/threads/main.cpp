@@ -8,13 +8,10 @@
 //
 //   one-by-one    the main thread, a world after the other
 //   at-once       each thread takes a world, makes it, steps it to its end, destroys it, and takes the next
-//   elsewhere     made by the main thread, stepped by others, destroyed by yet another one
 //   handed-over   from thread to thread after each step
 //   short-lived   a thread for a few steps, which then ends; the world lives on
 //   counted       handed over, while another thread reads the statistics
 //   installing    as at-once; every thread installs the plugin first, all at one moment
-//   half          as at-once; every other thread installs the plugin, the others step at the same moment (for
-//                 a plugin that starts by itself)
 //   beside        as at-once; every other thread moves bodies of a world that nobody steps at first, while
 //                 the others begin
 //
@@ -95,17 +92,6 @@ void AtOnce(Worlds *worlds, int count, int steps, const std::function<void(int)>
         before(member);
         ForEach(worlds, &next, [steps](World *world) { LiveWhole(world, steps); });
     });
-}
-
-void Elsewhere(Worlds *worlds, int count, int steps) {
-    for (World &world : *worlds)
-        world.Build();
-    std::atomic<size_t> next{0};
-    InParallel(count, [&](int) { ForEach(worlds, &next, [steps](World *world) { StepAll(world, steps); }); });
-    std::thread([worlds] {
-        for (World &world : *worlds)
-            world.Destroy();
-    }).join();
 }
 
 /// What is to be done next, and whose turn it is to be taken.
@@ -217,8 +203,6 @@ bool Run(const char *way, Worlds *worlds, int count, int steps) {
             LiveWhole(&world, steps);
     else if (is("at-once"))
         AtOnce(worlds, count, steps, [](int) {});
-    else if (is("elsewhere"))
-        Elsewhere(worlds, count, steps);
     else if (is("handed-over"))
         HandedOver(worlds, count, steps);
     else if (is("short-lived"))
@@ -227,11 +211,6 @@ bool Run(const char *way, Worlds *worlds, int count, int steps) {
         Counted(worlds, count, steps);
     else if (is("installing"))
         AtOnce(worlds, count, steps, [](int) { InstallHere(); });
-    else if (is("half"))
-        AtOnce(worlds, count, steps, [](int member) {
-            if (member % 2 == 0)
-                InstallHere();
-        });
     else if (is("beside"))
         AtOnce(worlds, count, steps, [](int member) {
             if (member % 2 == 1)

@@ -11,7 +11,7 @@
 
 namespace threads {
 
-/// Scenes of polygons of any size; none in stock. Worlds share their polygons.
+/// Scenes of polygons of any size; none in stock.
 const std::vector<Chosen> &ScenesOfThePlugin();
 
 /// bmr::Install, perhaps with statistics: did this call put the plugin to work? False in stock.

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+#   test_examples.sh DIRECTORY-OF-THE-EXAMPLES
+#
+# Each example prints the same with Boomerang off, at work and under verify, and what its comment says; under verify nothing differs.
+set -uo pipefail
+bin=${1:?}
+room=$(mktemp -d)
+holds_shows=$room/err
+trap 'rm -rf "$room"' EXIT
+# shellcheck source=tests/kit/holds.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
+unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
+
+# plays EXAMPLE MODE PATTERN: all that it prints fits the pattern, and is what it printed first
+plays() {
+    local got
+    got=$(BOOMERANG=$2 BOOMERANG_COUNTS=$room/counts "$bin/$1" 2>"$room/err") && [[ $got =~ ^$3$ ]] || return 1
+    [ -e "$room/$1" ] || echo "$got" >"$room/$1"
+    [ "$got" = "$(cat "$room/$1")" ]
+}
+says() { grep -qE "$1" "$room/err"; }
+counts() { grep -qE "$1" "$room/counts"; }
+
+for row in 'game_loop|score [1-9][0-9]+' $'any_size|vertices 256 94 19\nin the bowl 60' 'recorder|score 30, health 85, on the platform'; do
+    for mode in off '' on verify; do
+        holds "${row%%|*}, BOOMERANG=$mode" plays "${row%%|*}" "$mode" "${row#*|}"
+        [ "$mode" != verify ] || holds "${row%%|*}: nothing differs" says '^boomerang: verified [1-9][0-9,]* answers, 0 differ$'
+        [ "${row%%|*}, $mode" != "game_loop, off" ] || holds "the loop says that it is off" says 'Boomerang off'
+        [ "${row%%|*}, $mode" != "game_loop, on" ] || holds "the loop says that it is at work" says 'Boomerang at work'
+        [ "${row%%|*}, $mode" != "game_loop, on" ] || holds "times of impact are answered" counts '^toi_answered [1-9]'
+    done
+done
+all_hold
