@@ -157,10 +157,10 @@ bool Actor::PlayOn(Record *record) {
     if ((m_code & 4) != 0)
         m_world->other->Step(m_timeStep, m_velocityIterations, m_positionIterations);
     m_isFinite = m_worlds[0]->IsFinite() && m_worlds[1]->IsFinite();
-    m_hasEnded = !m_isFinite;
-    if (m_isFinite)
+    m_hasEnded = !m_isFinite || m_worlds[0]->hasThrown || m_worlds[1]->hasThrown;
+    if (!m_hasEnded)
         Tell(record);
-    return m_isFinite;
+    return !m_hasEnded;
 }
 
 /// One record after all.

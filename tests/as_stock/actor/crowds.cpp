@@ -196,10 +196,7 @@ void Actor::CreateCompound() {
     material.restitution = dice.OnceIn(3) ? 0.6f : 0.0f;
     switch (how / 8 % 4) {
     case 0: {
-        const int more = !dice.OnceIn(6)                         ? 6
-                         : m_mostFixtures < 40 || dice.OnceIn(4) ? m_mostFixtures - 5
-                                                                 : 35;
-        const int count = 5 + dice.Below(more);
+        const int count = 5 + dice.Below(dice.OnceIn(6) ? m_mostFixtures - 5 : 6);
         const float least = dice.OnceIn(2) ? 0.9f : 0.3f;
         b2Vec2 first(0.0f, 0.0f), before(0.0f, 0.0f);
         for (int i = 0; i <= count; ++i) {

@@ -108,6 +108,7 @@ void World::Step(float timeStep, int32 velocityIterations, int32 positionIterati
             NoteStepped(timeStep);
             again = false;
         } catch (const Thrown &) {
+            hasThrown = true;
             m_reacting = m_inItself = false;
         }
     }

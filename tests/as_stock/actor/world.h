@@ -93,10 +93,11 @@ public:
     uint8_t reactions[kReactionsHeld] = {}; ///< what listeners do
     uint8_t refused = 0;                    ///< which pairs the filter refuses
     uint8_t filterReacts =
-        0;                ///< bit 0: it does some of what listeners do; bit 1: and the rest, as far as it may
-    uint8_t throwing = 0; ///< 0: no; else one exception, from the occasion throwing % 5, after throwing / 5
-    uint8_t ticks = 0;    ///< what happens ahead of each step: see Tick
-    int rounding = 0;     ///< of steps: an index of kRoundings
+        0; ///< bit 0: it does some of what listeners do; bit 1: and the rest, as far as it may
+    bool hasThrown = false; ///< through a step; from there on bits may be others than stock's
+    uint8_t throwing = 0;   ///< 0: no; else one exception, from the occasion throwing % 5, after throwing / 5
+    uint8_t ticks = 0;      ///< what happens ahead of each step: see Tick
+    int rounding = 0;       ///< of steps: an index of kRoundings
     float rescueBeyond = 0.0f; ///< what is farther from `home` than this is put back; 0: nothing
     b2Vec2 home = {0.0f, 0.0f};
     bool mayBeNowhere = false; ///< bodies were sent where numbers are none
