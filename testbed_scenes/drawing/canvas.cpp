@@ -135,6 +135,12 @@ void Canvas::Polygon(const std::vector<bmr_vec2> &points, const Fill &fill, cons
     Stroke(pen);
 }
 
+void Canvas::Box(const Rectangle &box, const Fill &fill, const Pen &pen) {
+    Polygon({bmr_vec2_make(box.left, box.bottom), bmr_vec2_make(box.right, box.bottom),
+             bmr_vec2_make(box.right, box.top), bmr_vec2_make(box.left, box.top)},
+            fill, pen);
+}
+
 void Canvas::Polyline(const std::vector<bmr_vec2> &points, const Pen &pen) {
     Trace(points, false);
     Stroke(pen);

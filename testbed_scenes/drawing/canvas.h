@@ -77,6 +77,7 @@ public:
     double Scale() const { return m_scaleX; }
 
     void Polygon(const std::vector<bmr_vec2> &points, const Fill &fill, const Pen &pen);
+    void Box(const Rectangle &box, const Fill &fill, const Pen &pen = {ink::kBlack, 0.0, 1.0, {}});
     void Polyline(const std::vector<bmr_vec2> &points, const Pen &pen);
     void Segment(bmr_vec2 from, bmr_vec2 to, const Pen &pen);
     /// The part of the line <normal, x> = offset that the panel shows.

@@ -146,9 +146,7 @@ void DrawAxes(Canvas &canvas, const Frame &frame, const Plot &plot) {
         canvas.Text(bmr_vec2_make(in.left, at), -kTick - 2.0, -0.35 * kTextSize, TickText(tick), kTextSize,
                     Align::Right);
     }
-    canvas.Polygon({bmr_vec2_make(in.left, in.bottom), bmr_vec2_make(in.right, in.bottom),
-                    bmr_vec2_make(in.right, in.top), bmr_vec2_make(in.left, in.top)},
-                   {}, axis);
+    canvas.Box(in, {}, axis);
     canvas.Text(bmr_vec2_make(0.5 * (in.left + in.right), in.bottom), 0.0, -kBottom + 4.0, plot.xLabel,
                 kTextSize, Align::Centre);
     canvas.TextUpwards(bmr_vec2_make(in.left, 0.5 * (in.bottom + in.top)), -kLeft + 11.0, 0.0, plot.yLabel,
@@ -211,9 +209,7 @@ void DrawLegend(Canvas &canvas, const Frame &frame, const Plot &plot) {
                 best = box;
             }
         }
-    canvas.Polygon({bmr_vec2_make(best.left, best.bottom), bmr_vec2_make(best.right, best.bottom),
-                    bmr_vec2_make(best.right, best.top), bmr_vec2_make(best.left, best.top)},
-                   {{1.0, 1.0, 1.0}, 0.85}, {ink::kFaint, 0.7});
+    canvas.Box(best, {{1.0, 1.0, 1.0}, 0.85}, {ink::kFaint, 0.7});
     double y = best.top - kPad - 0.75 * kTextSize;
     for (size_t i = 0; i < plot.series.size(); ++i, y -= kLegendLine)
         DrawEntry(canvas, bmr_vec2_make(best.left + kPad, y), plot.series[i]);

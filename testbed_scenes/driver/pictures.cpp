@@ -98,8 +98,7 @@ const char kLayersHelp[] =
     "  slack         how far apart that proves them, as colour\n"
     "  handed-over   diamonds: pairs that needed a manifold in this step\n"
     "  events        rings: pairs whose certificate began, failed or was replaced in this step\n\n"
-    "With --focus on a body, every pair of it is numbered, drawn in full and explained in words beside the "
-    "picture.";
+    "With --focus on a body, the proofs of its nearest pairs are drawn in full, with how far apart they are.";
 
 void AddPictureOptions(CLI::App &app, PictureRequest &request, CLI::Option *output) {
     std::vector<CLI::Option *> options;
@@ -144,16 +143,13 @@ void AddPictureOptions(CLI::App &app, PictureRequest &request, CLI::Option *outp
             option->needs(output);
 }
 
-PictureSeries::PictureSeries(const PictureRequest &request, PictureSource source) : m_request(request) {
+PictureSeries::PictureSeries(const PictureRequest &request, PictureSource source)
+    : m_request(request), m_showsWay(source == PictureSource::Pair && request.focus.empty()) {
     if (!request.step && request.frames.empty())
         throw UsageError("which step? --step N, or --frames FIRST:LAST:EVERY for a series");
     ReadFocus();
     m_options.layers = LayersOf(request, source);
     m_options.width = request.width;
-    // Beside the list of reasons, the world must still be seen.
-    constexpr int kLeastWithBodies = 600;
-    if (!m_options.bodies.empty() && m_options.width < kLeastWithBodies)
-        throw UsageError("--width: with --focus on a body at least " + std::to_string(kLeastWithBodies));
     CheckOutput(request.output);
     ReadRange();
 }
@@ -209,12 +205,15 @@ void PictureSeries::Add(const shown::Frame &frame) {
     if (frame.step < m_first || frame.step > m_last || (frame.step - m_first) % m_every != 0)
         return;
     CheckBodies(m_options, frame);
-    // A series holds still, or follows its bodies with a frame of one size.
+    // A series holds still (of two polygons it shows all of their way), or follows its bodies with a frame of
+    // one size.
     const std::optional<Rectangle> box = PeriodicBoxOf(frame);
     const bool whole = box && m_options.bodies.empty() && !m_options.region;
     const Rectangle region = whole ? Widened(*box, kAroundBox) : RegionOf(frame, m_options);
     if (!m_shape)
         m_shape = region;
+    else if (m_showsWay)
+        Grow(&*m_shape, region);
     PictureOptions these = m_options;
     const double x =
         m_options.bodies.empty() ? m_shape->left : 0.5 * (region.left + region.right - m_shape->Width());
@@ -244,6 +243,8 @@ void PictureSeries::Draw() {
     for (size_t i = 0; i < m_pictures.size(); ++i) {
         if (IsNumbered())
             m_pictures[i].options.series = m_contents;
+        if (m_showsWay)
+            m_pictures[i].options.region = m_shape;
         DrawPicture(m_pictures[i].frame, m_pictures[i].options, PathOf(i));
     }
 }

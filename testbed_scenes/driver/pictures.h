@@ -72,9 +72,10 @@ private:
     std::string PathOf(size_t index) const;
 
     const PictureRequest &m_request;
+    const bool m_showsWay;
     PictureOptions m_options;
     int64_t m_first = 0, m_last = 0, m_every = 1;
-    std::optional<Rectangle> m_shape;
+    std::optional<Rectangle> m_shape; ///< of the series
     std::vector<Picture> m_pictures;
     Contents m_contents; ///< of all pictures
 };

@@ -149,9 +149,7 @@ void DrawBoxes(Canvas &canvas, const WorldView &world, double unit) {
 }
 
 void DrawPeriodicBox(Canvas &canvas, const Rectangle &box, double unit) {
-    canvas.Polygon({bmr_vec2_make(box.left, box.bottom), bmr_vec2_make(box.right, box.bottom),
-                    bmr_vec2_make(box.right, box.top), bmr_vec2_make(box.left, box.top)},
-                   {}, {style::kText, 1.6 * unit, 0.8, {9.0 * unit, 5.0 * unit}});
+    canvas.Box(box, {}, {style::kText, 1.6 * unit, 0.8, {9.0 * unit, 5.0 * unit}});
 }
 
 void DrawTrails(Canvas &canvas, const std::map<int, std::deque<bmr_vec2>> &trails, double longest,

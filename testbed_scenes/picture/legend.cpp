@@ -82,10 +82,8 @@ void Legend::AddBodies() {
             std::vector<double> dash;
             if (isSensor)
                 dash = {3.0 * m_unit, 2.0 * m_unit};
-            m_canvas.Polygon({bmr_vec2_make(left.x, left.y - half), bmr_vec2_make(right, left.y - half),
-                              bmr_vec2_make(right, left.y + half), bmr_vec2_make(left.x, left.y + half)},
-                             {colour, isSensor ? 0.0 : style::kFillOpacity},
-                             {colour, 1.2 * m_unit, 1.0, dash});
+            m_canvas.Box({left.x, left.y - half, right, left.y + half},
+                         {colour, isSensor ? 0.0 : style::kFillOpacity}, {colour, 1.2 * m_unit, 1.0, dash});
         });
     }
 }
@@ -99,9 +97,7 @@ void Legend::AddScale() {
             // Each lies over the end of the one before: no seams.
             const double from = left.x + width * i / kSteps, to = left.x + width;
             const Colour colour = ColourOfSlack(kLeastSlack * std::pow(kMostSlack / kLeastSlack, share));
-            m_canvas.Polygon({bmr_vec2_make(from, left.y), bmr_vec2_make(to, left.y),
-                              bmr_vec2_make(to, left.y + bar), bmr_vec2_make(from, left.y + bar)},
-                             {colour, 1.0}, {colour, 0.0, 1.0, {}});
+            m_canvas.Box({from, left.y, to, left.y + bar}, {colour, 1.0});
         }
         const int decades = static_cast<int>(std::lround(std::log10(kMostSlack / kLeastSlack)));
         for (int i = 0; i <= decades; ++i) {
@@ -255,9 +251,7 @@ Rectangle DrawScaleBar(Canvas &canvas, const Rectangle &area, double pagePerWorl
     const std::string text = LengthText(length, kinetic);
     const Rectangle box = {x - 6.0 * unit, y - 8.0 * unit,
                            x + std::max(width, canvas.TextWidth(text, size)) + 6.0 * unit, y + 24.0 * unit};
-    canvas.Polygon({bmr_vec2_make(box.left, box.bottom), bmr_vec2_make(box.right, box.bottom),
-                    bmr_vec2_make(box.right, box.top), bmr_vec2_make(box.left, box.top)},
-                   {style::kStrip, 0.7}, {style::kStrip, 0.0, 1.0, {}});
+    canvas.Box(box, {style::kStrip, 0.7});
     const Pen pen = {style::kText, 1.6 * unit, 1.0, {}};
     canvas.Segment(bmr_vec2_make(x, y), bmr_vec2_make(x + width, y), pen);
     for (const double end : {x, x + width})

@@ -88,15 +88,15 @@ public:
 
     /// Keeps labels away from here.
     void Block(bmr_vec2 at, double radius);
-    /// Writes a number in a disc (none if it is 0) and a text near a point, with a line to the point where
-    /// there is no room close by; nothing where there is no room at all.
-    void Place(bmr_vec2 at, int number, const std::string &text, const Colour &colour);
+    /// Writes a text near a point, with a line to the point where there is no room close by; nothing where
+    /// there is no room at all.
+    void Place(bmr_vec2 at, const std::string &text);
     /// Writes a text around a point, if it fits there and not elsewhere.
-    void PlaceAt(bmr_vec2 at, const std::string &text, double size, const Colour &colour);
+    void PlaceAt(bmr_vec2 at, const std::string &text, double size);
 
 private:
     bool IsFree(const Rectangle &box) const;
-    void Write(const Rectangle &box, int number, const std::string &text, const Colour &colour);
+    void Write(const Rectangle &box, const std::string &text);
 
     Canvas &m_canvas;
     const Rectangle m_area;
@@ -104,57 +104,35 @@ private:
     std::vector<Rectangle> m_taken;
 };
 
-/// A number in a disc, as labels and lists show it; `radius` on the page.
-void DrawNumber(Canvas &canvas, bmr_vec2 at, double radius, int number, const Colour &colour);
-
-/// Where a body's number stands in a picture.
-/// The middle, on the page, of what `area` shows of a body's polygons and circles; where that is not in one
-/// of them, the middle of the largest. Nothing where `area` shows less than a number needs. `unit` is one
-/// point of a picture 1200 wide. Cost: linear in the body's vertices.
-std::optional<bmr_vec2> MiddleOfVisible(const Canvas &canvas, const WorldView &world, const Rectangle &area,
-                                        double unit, int body);
-
-/// Where the way from a point inside of `area` to another leaves it, `margin` before its border; the other
-/// point, if that is inside.
-bmr_vec2 WhereItLeaves(const Rectangle &area, double margin, bmr_vec2 from, bmr_vec2 to);
+/// The middle of the corners of what a region shows of a body's polygons, in the world; nothing where it
+/// shows none.
+std::optional<bmr_vec2> PlaceIn(const WorldView &world, const Rectangle &region, int body);
 
 // --- Why pairs are known to be apart.
 
-/// A pair that is explained by itself: its number in the picture, and where that is to stand (on the page).
+/// A pair whose proof is drawn in full.
 struct Explained {
-    int number = 0;
     const shown::Pair *pair = nullptr;
-    /// The least slack of its proofs; nullptr where nothing proves it apart.
-    const shown::Proof *proof = nullptr;
-    bmr_vec2 place = {0.0, 0.0};
-    std::array<bmr_vec2, 2> ends = {}; ///< of the gap, on the page: a's and b's
+    const shown::Proof *proof = nullptr; ///< the one with the least slack
+    bmr_vec2 place = {0.0, 0.0};         ///< the middle of the gap, in the world
 };
 
 /// The proof that bounds a pair's slack; nullptr if one of its contacts has none, or with stock.
 const shown::Proof *WeakestProof(const shown::Pair &pair);
 
-/// The pairs of the bodies in focus.
-struct Explanation {
-    /// Those that do not touch (two bodies' own in any case), in the region, the closest first, up to a
-    /// number.
-    std::vector<Explained> pairs;
-    std::vector<const shown::Pair *> touching; ///< the others that touch
-    std::vector<const shown::Pair *> alone;    ///< apart, but not of two polygons: Box2D's alone
-    int rest = 0;                              ///< how many more there are, or are not in the region
-};
-Explanation Explain(const WorldView &world, const PictureOptions &options, const Rectangle &region, int most);
-
-/// "all of body 7 lies beyond an edge of body 12": why, in a line.
-std::string ReasonOf(const Explained &explained);
+/// The pairs of the bodies in focus that are proved apart, do not touch (two bodies' own in any case) and
+/// have their gap in the region: the closest first, and not more than a picture can show.
+std::vector<Explained> Explain(const WorldView &world, const PictureOptions &options,
+                               const Rectangle &region);
 
 /// Hulls and envelopes that proofs of pairs (of the bodies in focus, if any) use, each once.
 void DrawOutlines(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
 /// Every proof as a short stroke across its gap, with its edge; with bodies in focus those of pairs that
 /// touch elsewhere.
 void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
-/// In full: the line with its edge and the vertex opposite, the direction, or the disks. Sets place and ends.
+/// In full: the line with its edge and the vertex opposite, the direction, or the disks.
 void DrawExplained(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit,
-                   Explained *explained);
+                   const Explained &explained);
 /// A diamond at each pair that needed a manifold; a dashed stroke first, where it does not touch.
 void DrawHandedOver(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
 /// A ring at each pair to whose certificate something happened in the step.

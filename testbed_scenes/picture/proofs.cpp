@@ -134,10 +134,6 @@ void DrawGap(Canvas &canvas, const Shown &shown, const Colour &colour, double un
     }
 }
 
-std::string NameOf(int body) {
-    return "body " + std::to_string(body);
-}
-
 } // namespace
 
 const Proof *WeakestProof(const Pair &pair) {
@@ -156,72 +152,27 @@ bool IsInFocus(const PictureOptions &options, const Pair &pair) {
                        [&pair](int body) { return body == pair.a || body == pair.b; });
 }
 
-Explanation Explain(const WorldView &world, const PictureOptions &options, const Rectangle &region,
-                    int most) {
-    Explanation explanation;
-    std::vector<Explained> &explained = explanation.pairs;
+std::vector<Explained> Explain(const WorldView &world, const PictureOptions &options,
+                               const Rectangle &region) {
+    constexpr std::size_t kMost = 9;
+    std::vector<Explained> explained;
     const bool isOfTwo = options.bodies.size() == 2;
     for (const Pair &pair : world.Frame().pairs) {
-        if (options.bodies.empty() || !IsInFocus(options, pair) || pair.contacts == 0)
+        if (options.bodies.empty() || !IsInFocus(options, pair) || (pair.touching > 0 && !isOfTwo))
             continue;
-        if (pair.touching > 0 && !isOfTwo) {
-            explanation.touching.push_back(&pair);
+        const Proof *proof = WeakestProof(pair);
+        if (proof == nullptr)
             continue;
-        }
-        if (pair.touching == 0 && pair.polygon_contacts == 0) {
-            explanation.alone.push_back(&pair);
-            continue;
-        }
-        Explained one;
-        one.pair = &pair;
-        one.proof = WeakestProof(pair);
-        bmr_vec2 place = PlaceOf(world, pair);
-        if (one.proof != nullptr) {
-            const Shown shown = Show(world, pair, *one.proof);
-            place = Middle(shown.nearOwner, shown.onOther);
-        }
-        const bool isSeen = place.x > region.left && place.x < region.right && place.y > region.bottom &&
-                            place.y < region.top;
-        if (isSeen || isOfTwo)
-            explained.push_back(one);
-        else
-            ++explanation.rest;
+        const Shown shown = Show(world, pair, *proof);
+        const bmr_vec2 place = Middle(shown.nearOwner, shown.onOther);
+        if (isOfTwo || (place.x > region.left && place.x < region.right && place.y > region.bottom &&
+                        place.y < region.top))
+            explained.push_back({&pair, proof, Middle(shown.onOwner, shown.onOther)});
     }
-    std::stable_sort(explained.begin(), explained.end(), [](const Explained &a, const Explained &b) {
-        const auto slackOf = [](const Explained &one) {
-            return one.proof != nullptr ? one.proof->slack : 0.0f;
-        };
-        return slackOf(a) < slackOf(b);
-    });
-    const auto kept = static_cast<std::size_t>(most);
-    if (explained.size() > kept) {
-        explanation.rest += static_cast<int>(explained.size() - kept);
-        explained.resize(kept);
-    }
-    for (std::size_t i = 0; i < explained.size(); ++i)
-        explained[i].number = static_cast<int>(i) + 1;
-    return explanation;
-}
-
-std::string ReasonOf(const Explained &explained) {
-    const Pair &pair = *explained.pair;
-    if (explained.proof == nullptr) {
-        if (pair.touching > 0)
-            return "they touch: a manifold is needed";
-        if (pair.polygon_contacts == 0)
-            return "not two polygons: Box2D's alone";
-        return pair.slack < 0.0f ? "without the plugin nothing is proved" : "near: nothing proves them apart";
-    }
-    const Proof &proof = *explained.proof;
-    const std::string owner = NameOf(proof.owner == 0 ? pair.a : pair.b),
-                      other = NameOf(proof.owner == 0 ? pair.b : pair.a);
-    if (proof.kind == "remembered-edge")
-        return "all of " + other + " is beyond an edge of " + owner;
-    if (proof.kind == "edge-line")
-        return other + " is beyond " + owner + "'s edge, level " + std::to_string(proof.level);
-    if (proof.kind == "direction")
-        return other + " is beyond " + owner + " along the arrow";
-    return "the disks around them are apart";
+    std::stable_sort(explained.begin(), explained.end(),
+                     [](const Explained &a, const Explained &b) { return a.proof->slack < b.proof->slack; });
+    explained.resize(std::min(explained.size(), kMost));
+    return explained;
 }
 
 void DrawOutlines(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit) {
@@ -278,15 +229,9 @@ void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &op
 }
 
 void DrawExplained(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit,
-                   Explained *explained) {
-    const Pair &pair = *explained->pair;
-    if (explained->proof == nullptr) {
-        explained->place = canvas.OnPage(PlaceOf(world, pair));
-        explained->ends = {explained->place, explained->place};
-        return;
-    }
-    const Proof &proof = *explained->proof;
-    const Shown shown = Show(world, pair, proof);
+                   const Explained &explained) {
+    const Proof &proof = *explained.proof;
+    const Shown shown = Show(world, *explained.pair, proof);
     const Colour colour = ColourOf(options, proof);
     const double beyond = 30.0 * unit / canvas.Scale();
     if (shown.hasDisks) {
@@ -307,10 +252,6 @@ void DrawExplained(Canvas &canvas, const WorldView &world, const PictureOptions 
         DrawRing(canvas, shown.onOther, 4.5, colour, unit);
     }
     DrawGap(canvas, shown, colour, unit);
-    explained->place = canvas.OnPage(Middle(shown.onOwner, shown.onOther));
-    explained->ends = {canvas.OnPage(shown.onOwner), canvas.OnPage(shown.onOther)};
-    if (proof.owner != 0)
-        std::swap(explained->ends[0], explained->ends[1]);
 }
 
 void DrawHandedOver(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit) {
