@@ -31,7 +31,6 @@ constexpr Colour kGreen = {0.0, 0.62, 0.451};
 constexpr Colour kRed = {0.835, 0.369, 0.0};
 constexpr Colour kPurple = {0.8, 0.475, 0.655};
 constexpr Colour kSky = {0.337, 0.706, 0.914};
-constexpr Colour kYellow = {0.87, 0.80, 0.16};
 /// The i-th of six that follow one another well: levels, series.
 Colour Series(size_t index);
 } // namespace ink

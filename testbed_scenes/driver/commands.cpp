@@ -17,27 +17,6 @@
 namespace testbed {
 namespace {
 
-void PrintNumbers(std::ostream &out, const nlohmann::json &json, const std::string &prefix) {
-    constexpr int kNameWidth = 28;
-    for (const auto &[key, value] : json.items()) {
-        std::string name = prefix;
-        name.append(prefix.empty() ? "" : ".").append(key);
-        if (value.is_object()) {
-            PrintNumbers(out, value, name);
-            continue;
-        }
-        std::ostringstream line;
-        line << name << std::string(name.size() < kNameWidth ? kNameWidth - name.size() : 1, ' ');
-        if (value.is_string())
-            line << value.get<std::string>();
-        else if (value.is_null())
-            line << '-';
-        else
-            line << value.dump();
-        out << line.str() << '\n';
-    }
-}
-
 int CompareExitCode(const std::vector<SceneResult> &results) {
     int code = kExitOk;
     for (const SceneResult &result : results) {
@@ -119,10 +98,7 @@ int Execute(const RunCommand &command, const Workers &workers) {
         throw WorkerError(process->Describe());
     if (summary.is_null())
         throw WorkerError(process->CommandLine() + ": ended without a summary");
-    if (command.json)
-        std::cout << summary.dump(2) << '\n';
-    else
-        PrintNumbers(std::cout, summary, "");
+    std::cout << summary.dump(2) << '\n';
     return kExitOk;
 }
 

@@ -33,7 +33,6 @@ struct RunCommand {
     bool plugin = true;
     bool hash = false;
     bool time = false;
-    bool json = false;
     WorkerOptions worker;
 };
 
@@ -94,8 +93,7 @@ struct WorldCommand {
     std::optional<double> sizes, density, speed, seconds, zenoSpeed;
     uint64_t seed = 1;
     bool allPairs = false, check = false, audit = false, quiet = false, list = false;
-    std::string growth; ///< N1,N2,..
-    std::string json;
+    std::string growth;      ///< N1,N2,..
     PictureRequest pictures; ///< without an output: none
     double rate = 30.0;      ///< steps for each unit of time
 };

@@ -380,22 +380,9 @@ private:
     std::vector<Row> m_rows;
 };
 
-/// "D/sigma = 8", or where there is no least separation when they are in contact: "in contact from 0.333 to
-/// 0.750".
+/// "D/sigma = 8", or "in contact on the way".
 std::string SeparationOf(const Run &run) {
-    constexpr size_t kMostSaid = 4;
-    std::ostringstream text;
-    if (run.contacts.empty()) {
-        text << "D/sigma = " << run.ratio;
-        return text.str();
-    }
-    text << "in contact";
-    for (size_t i = 0; i < std::min(kMostSaid, run.contacts.size()); ++i)
-        text << (i == 0 ? "" : ",") << " from " << Fixed(run.contacts[i].from, 3) << " to "
-             << Fixed(run.contacts[i].until, 3);
-    if (run.contacts.size() > kMostSaid)
-        text << " and " << run.contacts.size() - kMostSaid << " times more";
-    return text.str();
+    return std::isfinite(run.ratio) ? "D/sigma = " + General(run.ratio, 6) : "in contact on the way";
 }
 
 void PrintTables(const EventsCommand &command, const Experiment &experiment, const std::vector<Run> &runs,

@@ -66,7 +66,6 @@ CLI::App *AddRun(CLI::App &app, CommandLine &line) {
     AddPluginOptions(*run, line.run.worker);
     CLI::Option *hash = run->add_flag("--hash", line.run.hash, "Print the hashes of every step");
     run->add_flag("--time", line.run.time, "Time the steps instead of counting calls")->excludes(hash);
-    run->add_flag("--json", line.run.json, "The summary as JSON");
     AddSceneOptions(*run, line.run.worker);
     return run;
 }

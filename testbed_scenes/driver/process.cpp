@@ -3,11 +3,11 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,35 +41,21 @@ struct Pipe {
     }
 };
 
-struct SpawnActions {
-    posix_spawn_file_actions_t actions;
-    SpawnActions() { posix_spawn_file_actions_init(&actions); }
-    ~SpawnActions() { posix_spawn_file_actions_destroy(&actions); }
-    SpawnActions(const SpawnActions &) = delete;
-    SpawnActions &operator=(const SpawnActions &) = delete;
-};
-
-std::vector<std::string> MergeEnvironment(const std::vector<std::string> &additions) {
-    std::vector<std::string> merged = additions;
-    for (char **entry = environ; *entry != nullptr; ++entry) {
-        const std::string old = *entry;
-        const std::string name = old.substr(0, old.find('=') + 1);
-        bool replaced = false;
-        for (const std::string &addition : additions)
-            replaced = replaced || addition.compare(0, name.size(), name) == 0;
-        if (!replaced)
-            merged.push_back(old);
-    }
-    return merged;
-}
-
-std::vector<char *> Pointers(std::vector<std::string> &strings) {
+/// In the child: becomes the program.
+[[noreturn]] void Become(std::vector<std::string> arguments, const std::vector<std::string> &environment,
+                         int output, int errors) {
+    const int nothing = open("/dev/null", O_RDONLY);
+    dup2(nothing, STDIN_FILENO);
+    dup2(output, STDOUT_FILENO);
+    dup2(errors, STDERR_FILENO);
+    for (const std::string &addition : environment)
+        setenv(addition.substr(0, addition.find('=')).c_str(), &addition[addition.find('=') + 1], 1);
     std::vector<char *> pointers;
-    pointers.reserve(strings.size() + 1);
-    for (std::string &string : strings)
-        pointers.push_back(string.data());
+    for (std::string &argument : arguments)
+        pointers.push_back(argument.data());
     pointers.push_back(nullptr);
-    return pointers;
+    execv(pointers[0], pointers.data());
+    _exit(127);
 }
 
 /// Appends what can be read now to the buffer; false at the end of the stream.
@@ -97,16 +83,14 @@ template <class Handler> void TakeLines(std::string &buffer, Handler &&handler) 
 Process::Process(std::vector<std::string> arguments, const std::vector<std::string> &environment,
                  LineHandler onLine)
     : m_arguments(std::move(arguments)), m_onLine(std::move(onLine)) {
+    if (access(m_arguments[0].c_str(), X_OK) != 0)
+        throw WorkerError("cannot start " + m_arguments[0] + ": " + std::strerror(errno));
     Pipe output, errors;
-    SpawnActions spawn;
-    posix_spawn_file_actions_addopen(&spawn.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&spawn.actions, output.ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&spawn.actions, errors.ends[1], STDERR_FILENO);
-    std::vector<std::string> merged = MergeEnvironment(environment);
-    const int failure = posix_spawn(&m_pid, m_arguments[0].c_str(), &spawn.actions, nullptr,
-                                    Pointers(m_arguments).data(), Pointers(merged).data());
-    if (failure != 0)
-        throw WorkerError("cannot start " + m_arguments[0] + ": " + std::strerror(failure));
+    m_pid = fork();
+    if (m_pid == 0)
+        Become(m_arguments, environment, output.ends[1], errors.ends[1]);
+    if (m_pid < 0)
+        throw WorkerError("cannot start " + m_arguments[0] + ": " + std::strerror(errno));
     m_outputFd = output.TakeReadEnd();
     m_errorFd = errors.TakeReadEnd();
 }

@@ -9,7 +9,6 @@
 
 #include <unistd.h>
 
-#include "drawing/whole_file.h"
 #include "progress.h"
 #include "table.h"
 #include "worlds/world.h"
@@ -235,8 +234,6 @@ WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
 }
 
 int Perform(const WorldCommand &command) {
-    if (!command.json.empty())
-        CheckWritable(command.json);
     std::vector<WorldFigures> runs;
     if (!command.growth.empty()) {
         runs = MeasureGrowth(command);
@@ -245,12 +242,6 @@ int Perform(const WorldCommand &command) {
         runs.push_back(RunOne(command, setup));
         if (!command.quiet)
             Print(runs.front(), WantsColour(STDOUT_FILENO));
-    }
-    if (!command.json.empty()) {
-        nlohmann::json list = nlohmann::json::array();
-        for (const WorldFigures &run : runs)
-            list.push_back(ToJson(run));
-        WriteWholeFile(command.json, list.dump(1) + "\n");
     }
     const bool overlap = std::any_of(runs.begin(), runs.end(), [](const WorldFigures &run) {
         return run.choice.response.kind != BMR_RESPONSE_PASS && run.check && run.check->overlaps > 0;

@@ -152,7 +152,6 @@ CLI::App *AddWorld(CLI::App &app, WorldCommand &command) {
         ->capture_default_str();
     AddPictureOptions(*world, command.pictures, picture);
     growth->excludes(picture);
-    world->add_option("--json", command.json, "Write the figures into this file, as JSON");
     world->add_flag("--quiet", command.quiet, "No tables");
     world->add_flag("--list", command.list, "Show the scenes, and run nothing");
     world->footer(std::string(kNotes) + kLayersHelp);

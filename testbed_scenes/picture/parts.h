@@ -46,7 +46,7 @@ constexpr Colour kText = {0.9, 0.9, 0.9};
 constexpr Colour kFaintText = {0.68, 0.68, 0.7};
 
 constexpr double kFillOpacity = 0.42;
-constexpr double kTextSize = 13.0, kSmallText = 12.0;
+constexpr double kTextSize = 13.0;
 
 } // namespace style
 

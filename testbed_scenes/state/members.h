@@ -22,7 +22,6 @@ struct ContactMembers : b2Contact {
         return Flags(contact) &
                static_cast<uint32>(e_touchingFlag | e_enabledFlag | e_filterFlag | e_bulletHitFlag);
     }
-    static const b2Contact *Previous(const b2Contact &contact) { return contact.*&ContactMembers::m_prev; }
 };
 
 namespace body_members {

@@ -105,64 +105,11 @@ bmr_course Course::AsCourse() const {
     return {{m_bodies[0]->Polygon(), m_bodies[1]->Polygon()}, {m_motions[0], m_motions[1]}, m_from, m_until};
 }
 
-namespace {
-
-bool IsInContact(const bmr_course &course, double time) {
-    bmr_closest_points closest = {};
-    const bmr_pose poses[] = {bmr_motion_pose(course.motions[0], time, nullptr, nullptr),
-                              bmr_motion_pose(course.motions[1], time, nullptr, nullptr)};
-    Require(bmr_distance(course.polygons[0], &poses[0], course.polygons[1], &poses[1], &closest),
-            "the distance");
-    return !(closest.distance > 0.0);
-}
-
-/// Between a time in contact and one that is not: where that changes.
-double EndOfContact(const bmr_course &course, double in, double out) {
-    constexpr int kHalvings = 40;
-    for (int i = 0; i < kHalvings; ++i) {
-        const double middle = 0.5 * (in + out);
-        (IsInContact(course, middle) ? in : out) = middle;
-    }
-    return in;
-}
-
-} // namespace
-
 bmr_kds_def DefFor(const Course &course, bmr_kds_def def) {
     constexpr double kPartOfSeparation = 1e-3;
     if (course.Separation() > 0.0)
         def.margin = std::min(def.margin, kPartOfSeparation * course.Separation());
     return def;
-}
-
-std::vector<Contact> ContactsOf(const Course &followed) {
-    constexpr int kLooks = 1000;
-    const bmr_course course = followed.AsCourse();
-    std::vector<Contact> contacts;
-    bool was = IsInContact(course, course.from);
-    if (was)
-        contacts.push_back({course.from, course.to});
-    double last = course.from;
-    for (int i = 1; i <= kLooks; ++i) {
-        const double time = i == kLooks ? course.to : course.from + (course.to - course.from) * i / kLooks;
-        const bool is = IsInContact(course, time);
-        if (is && !was) {
-            contacts.push_back({EndOfContact(course, time, last), course.to});
-        } else if (!is && was) {
-            contacts.back().until = EndOfContact(course, last, time);
-        } else if (!is) {
-            double least = 0.0, touch = 0.0;
-            Require(bmr_least_distance(course.polygons[0], course.polygons[1], course.motions[0],
-                                       course.motions[1], last, time,
-                                       kSeparationTolerance * followed.Diameter(), &least, &touch),
-                    "the separation");
-            if (!(least > 0.0))
-                contacts.push_back({EndOfContact(course, touch, last), EndOfContact(course, touch, time)});
-        }
-        was = is;
-        last = time;
-    }
-    return contacts;
 }
 
 Course::~Course() {

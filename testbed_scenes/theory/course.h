@@ -112,15 +112,6 @@ private:
 /// With a margin far below the least separation, or the pair would be in contact where it only passes.
 bmr_kds_def DefFor(const Course &course, bmr_kds_def def);
 
-/// From when until when two bodies are in contact (their distance is 0).
-struct Contact {
-    double from, until;
-};
-/// Every contact of a course, in order. Looked for by the bodies' speed bounds between 1000 times, so that
-/// none is missed; of two of them in one thousandth of the course one may be. Ends are exact to a billionth
-/// of it. Throws std::runtime_error.
-std::vector<Contact> ContactsOf(const Course &course);
-
 /// What one structure did on a course.
 struct Outcome {
     bmr_run run = {};

@@ -54,8 +54,6 @@ public:
                     "the offline optimum");
             m_common.optimum = optimum;
         }
-        if (!(course.Separation() > 0.0))
-            m_common.contacts = ContactsOf(course);
         m_common.ratio = course.Separation() > 0.0 ? course.Diameter() / course.Separation() : INFINITY;
     }
 

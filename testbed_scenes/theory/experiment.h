@@ -37,11 +37,10 @@ struct Run {
     std::string motion;
     const bmr_kds_info *structure = nullptr;
     size_t n = 0;
-    double ratio = 0.0;       ///< D/sigma as measured
+    double ratio = 0.0;       ///< D/sigma as measured; INFINITY where the two are in contact on the way
     double wantedRatio = 0.0; ///< as asked for; 0: a motion of one's own
     size_t ratioIndex = 0;
     uint64_t seed = 0;
-    std::vector<Contact> contacts; ///< of the course, whatever its structure; then the ratio is INFINITY
     bool rigid = false, convex = false;
     Outcome outcome;
     std::optional<bmr_optimum> optimum; ///< the best offline cover of this course

@@ -22,14 +22,10 @@ void PrintList() {
                         {"description", scene.description},
                         {"group", scene.group},
                         {"size", scene.size},
-                        {"size_meaning", scene.sizeMeaning},
                         {"seed", scene.seed},
                         {"steps", scene.steps},
-                        {"time_step", scene.timeStep},
                         {"vertices", scene.polygons.vertices},
-                        {"bodies", NameOf(scene.polygons.bodies)},
-                        {"velocity_iterations", scene.velocityIterations},
-                        {"position_iterations", scene.positionIterations}});
+                        {"bodies", NameOf(scene.polygons.bodies)}});
     std::puts(list.dump(2).c_str());
 }
 

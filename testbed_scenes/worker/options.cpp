@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "worker/options.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -25,20 +26,6 @@ const std::map<std::string, Listening> listenings = {{"none", Listening::None},
                                                      {"reads", Listening::Reads},
                                                      {"acts", Listening::Acts},
                                                      {"records", Listening::Records}};
-
-/// "12", "0:600" or "0:600:10".
-FrameRange ParseRange(const std::string &text) {
-    FrameRange range;
-    char rest = 0;
-    const int count = std::sscanf(text.c_str(), "%d:%d:%d%c", &range.first, &range.last, &range.every, &rest);
-    if (count == 1 && text.find(':') == std::string::npos)
-        range.last = range.first;
-    else if (count < 2 || count > 3)
-        throw CLI::ValidationError("--frames", "FIRST[:LAST[:EVERY]] was expected, not \"" + text + "\"");
-    if (range.first < 0 || range.last < range.first || range.every < 1)
-        throw CLI::ValidationError("--frames", "no steps in \"" + text + "\"");
-    return range;
-}
 
 std::string ListScenes() {
     std::string text = "Scenes (default size, default steps):\n";
@@ -136,13 +123,14 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
         ->transform(CLI::CheckedTransformer(listenings).description(""))
         ->option_text("none|counts|reads|acts|records [none]");
     bool boxes = false;
-    CLI::Option *frames =
-        app.add_option_function<std::string>(
-               "--frames", [&options](const std::string &text) { options.frames = ParseRange(text); },
-               "Instead of hashes, print the world after each of these steps "
-               "(testbed_scenes/picture/frame.h), "
-               "and stop after the last")
-            ->option_text("FIRST[:LAST[:EVERY]]");
+    std::vector<int> range;
+    CLI::Option *frames = app.add_option("--frames", range,
+                                         "Instead of hashes, print the world after each of these steps "
+                                         "(testbed_scenes/picture/frame.h), and stop after the last")
+                              ->option_text("FIRST:LAST:EVERY")
+                              ->delimiter(':')
+                              ->expected(3)
+                              ->check(CLI::Range(0, 100000000).description(""));
     app.add_flag("--boxes", boxes, "With the boxes of the broad phase")->needs(frames);
     app.add_option("--perturb", options.perturb,
                    "After this step, nudge the velocity of one body by one ulp: the control for comparisons, "
@@ -154,8 +142,8 @@ std::optional<int> ParseOptions(int argc, char **argv, Options &options) {
     try {
         app.parse(argc, argv);
         CheckScene(options);
-        if (options.frames)
-            options.frames->boxes = boxes;
+        if (range.size() == 3)
+            options.frames = {range[0], range[1], std::max(range[2], 1), boxes};
     } catch (const CLI::ParseError &error) {
         if (error.get_exit_code() == 0)
             return app.exit(error); // help

@@ -45,9 +45,6 @@ void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *obs
 
 /// "stock", "plugin", or "off": linked with the plugin, which is told to be off.
 const char *PluginName();
-/// How the plugin stands with Box2D: the way that calls reach it, Box2D's version, whether both round alike.
-/// Null without the plugin.
-nlohmann::json PluginPresence();
 /// What the plugin counted, or null.
 nlohmann::json PluginStatistics();
 

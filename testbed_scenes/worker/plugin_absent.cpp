@@ -8,9 +8,6 @@ void InstallPlugin(const PluginOptions &, bool, PluginObserver *) {}
 const char *PluginName() {
     return "stock";
 }
-nlohmann::json PluginPresence() {
-    return nullptr;
-}
 nlohmann::json PluginStatistics() {
     return nullptr;
 }

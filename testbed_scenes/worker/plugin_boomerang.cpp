@@ -66,11 +66,6 @@ const char *PluginName() {
     return IsToldToBeOff() ? "off" : "plugin";
 }
 
-nlohmann::json PluginPresence() {
-    const bmr::Presence presence = bmr::GetPresence();
-    return {{"way", presence.way}, {"box2d", presence.box2d}};
-}
-
 nlohmann::json PluginStatistics() {
     const bmr::Counted counted = bmr::internal::ReadCounts();
     nlohmann::json told, events;

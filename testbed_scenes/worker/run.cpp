@@ -6,7 +6,6 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <stdexcept>
 
 #include "state/snapshot.h"
@@ -80,7 +79,7 @@ void RunScene(const SceneInfo &info, const Options &options) {
     stage.SetPolygons(PolygonsOf(info, options));
     b2World &world = stage.World();
     const int steps = options.steps.value_or(info.steps);
-    Summary summary(info, options, steps);
+    Summary summary(info, options);
 
     recorder.StartStep(options.dump == 0);
     scene.Build(stage, options.size.value_or(info.size));
@@ -88,7 +87,6 @@ void RunScene(const SceneInfo &info, const Options &options) {
         Shake(stage);
     if (records)
         recorded.ListenTo(world);
-    const std::clock_t begun = std::clock();
     for (int step = 0; step < steps; ++step) {
         scene.BeforeStep(stage, step);
         if (frames)
@@ -118,10 +116,7 @@ void RunScene(const SceneInfo &info, const Options &options) {
             recorder.StartStep(options.dump == step + 1);
         }
     }
-    const std::clock_t taken = std::clock() - begun;
     nlohmann::json json = summary.ToJson(world);
-    if (options.mode == Mode::Time) // of the processor, all of the loop
-        json["steps_processor_s"] = static_cast<double>(taken) / CLOCKS_PER_SEC;
     if (options.listening != Listening::None)
         json["listener"] = records ? recorded.ToJson() : listened.ToJson();
     std::printf("summary %s\n", json.dump().c_str());

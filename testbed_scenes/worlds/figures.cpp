@@ -38,11 +38,6 @@ void SetDrifts(const WorldRun &run, const WorldSetup &setup, WorldFigures *figur
         figures->angular = (to.angular - from.angular) / (run.MomentumScale() * figures->side);
 }
 
-/// A number, or null.
-nlohmann::json Maybe(const std::optional<double> &number) {
-    return number ? nlohmann::json(*number) : nlohmann::json();
-}
-
 } // namespace
 
 uint64_t WorldFigures::Events() const {
@@ -105,67 +100,6 @@ std::string NameOf(const bmr_response &response) {
     char text[40];
     std::snprintf(text, sizeof text, "restitution %.6g", response.restitution);
     return text;
-}
-
-nlohmann::json ToJson(const WorldFigures &figures) {
-    const WorldChoice &choice = figures.choice;
-    const bmr_world_counts &counts = figures.counts;
-    nlohmann::json events, rates, structures;
-    for (int kind = 0; kind < BMR_WORLD_EVENT_KIND_COUNT; ++kind) {
-        const char *name = bmr_world_event_name(static_cast<bmr_world_event_kind>(kind));
-        events[name] = counts.events[kind];
-        rates[name] = figures.Rate(counts.events[kind]);
-    }
-    for (int kind = 0; kind < BMR_KDS_EVENT_KIND_COUNT; ++kind)
-        structures[bmr_kds_event_name(static_cast<bmr_kds_event_kind>(kind))] = counts.kds_events[kind];
-    nlohmann::json json = {{"scene", choice.scene},
-                           {"bodies", choice.bodies},
-                           {"shape", choice.shape},
-                           {"vertices", {choice.fewestVertices, choice.mostVertices}},
-                           {"sizes", choice.sizes},
-                           {"density", choice.density},
-                           {"speed", choice.speed},
-                           {"seconds", choice.seconds},
-                           {"structure", choice.structure},
-                           {"seed", choice.seed},
-                           {"boundary", NameOf(choice.boundary)},
-                           {"answer", NameOf(choice.response)},
-                           {"all_pairs", choice.allPairs},
-                           {"side", figures.side},
-                           {"events", events},
-                           {"events_all", figures.Events()},
-                           {"rates", rates},
-                           {"rate_all", figures.Rate(figures.Events())},
-                           {"structure_events", structures},
-                           {"plans", figures.plans},
-                           {"impulses", counts.impulses},
-                           {"softened", counts.softened},
-                           {"softened_energy", counts.softened_energy},
-                           {"looks", counts.looks},
-                           {"disk_times", counts.disk_times},
-                           {"failure_times", counts.failure_times},
-                           {"replanned", counts.replanned},
-                           {"candidates", counts.candidates},
-                           {"touched", counts.touched},
-                           {"pairs", counts.pairs},
-                           {"near", counts.near},
-                           {"passing", counts.passing},
-                           {"cells", counts.cells},
-                           {"levels", counts.levels},
-                           {"bytes", counts.bytes},
-                           {"most_bytes", counts.most_bytes},
-                           {"clock", figures.clock},
-                           {"microseconds_an_event", figures.MicrosecondsAnEvent()},
-                           {"energy_drift", Maybe(figures.energy)},
-                           {"momentum_drift", Maybe(figures.momentum)},
-                           {"angular_drift", Maybe(figures.angular)},
-                           {"energy_left", figures.energyLeft},
-                           {"audits", figures.audits}};
-    if (figures.check)
-        json["check"] = {{"pairs", figures.check->pairs},
-                         {"overlaps", figures.check->overlaps},
-                         {"deepest", figures.check->deepest}};
-    return json;
 }
 
 } // namespace testbed

@@ -46,7 +46,7 @@ void WorldFrames::Add(const bmr_contact &contact) {
 }
 
 void WorldFrames::Add(const bmr_world_event &event) {
-    if (event.b == BMR_NO_BODY)
+    if (event.b == BMR_NO_BODY || bmr_is_wall(event.b))
         return;
     shown::Event record;
     record.kind = event.kind == BMR_WORLD_NEAR || event.kind == BMR_WORLD_REPAIR
@@ -105,53 +105,21 @@ void WorldFrames::AddBodies(const WorldRun &run) {
     AddWalls();
 }
 
-/// Where a pair's other body is, beside A; a wall's frame is at the middle of its side.
+/// Where a pair's other body is, beside A.
 bmr_pose WorldFrames::OtherPose(const bmr_world_pair &pair, const WorldRun &run) const {
-    bmr_pose pose = bmr_pose_identity();
-    if (!bmr_is_wall(pair.b)) {
-        pose = run.StateOf(pair.b).pose;
-        pose.position = bmr_add(pose.position, pair.image);
-        return pose;
-    }
-    const auto side = static_cast<unsigned>(pair.b - BMR_WALL(0));
-    const bmr_vec2 corner = side % 2 == 0 ? m_setup.low : m_setup.high,
-                   middle = bmr_scale(0.5, bmr_add(m_setup.low, m_setup.high));
-    pose.position = side < 2 ? bmr_vec2_make(corner.x, middle.y) : bmr_vec2_make(middle.x, corner.y);
+    bmr_pose pose = run.StateOf(pair.b).pose;
+    pose.position = bmr_add(pose.position, pair.image);
     return pose;
-}
-
-/// The point of a wall beside a place, in the wall's frame.
-bmr_vec2 WorldFrames::FootOn(bmr_body wall, bmr_vec2 place) const {
-    const bmr_vec2 middle = bmr_scale(0.5, bmr_add(m_setup.low, m_setup.high)), way = bmr_sub(place, middle);
-    return wall < BMR_WALL(2) ? bmr_vec2_make(0.0, way.y) : bmr_vec2_make(way.x, 0.0);
 }
 
 shown::Proof WorldFrames::DisksProof(const bmr_world_pair &pair, const WorldRun &run) const {
     shown::Proof proof;
     const bmr_body_state a = run.StateOf(pair.a);
-    const bmr_pose pose = OtherPose(pair, run);
-    const int one = static_cast<int>(pair.a) + 1;
-    if (!bmr_is_wall(pair.b)) {
-        const double radius = run.StateOf(pair.b).radius;
-        const bmr_vec2 way = bmr_sub(pose.position, a.pose.position);
-        proof.kind = "disks";
-        proof.radii = {static_cast<float>(a.radius), static_cast<float>(radius)};
-        proof.slack = static_cast<float>(std::max(0.0, std::hypot(way.x, way.y) - a.radius - radius));
-        proof.hulls = {one, static_cast<int>(pair.b) + 1};
-        return proof;
-    }
-    const bmr_vec2 foot = FootOn(pair.b, a.pose.position),
-                   up = bmr_sub(a.pose.position, bmr_add(pose.position, foot));
-    const double height = std::hypot(up.x, up.y);
-    if (!(height > 0.0))
-        return proof;
-    const bmr_vec2 normal = bmr_scale(1.0 / height, up);
-    proof.kind = "direction";
-    proof.owner = 1;
-    proof.normal = ToVec(normal);
-    proof.supports = {ToVec(bmr_unrotate(&a.pose, bmr_scale(-a.radius, normal))), ToVec(foot)};
-    proof.slack = static_cast<float>(std::max(0.0, height - a.radius));
-    proof.hulls = {one, 0};
+    const double radius = run.StateOf(pair.b).radius;
+    const bmr_vec2 way = bmr_sub(OtherPose(pair, run).position, a.pose.position);
+    proof.kind = "disks";
+    proof.radii = {static_cast<float>(a.radius), static_cast<float>(radius)};
+    proof.slack = static_cast<float>(std::max(0.0, std::hypot(way.x, way.y) - a.radius - radius));
     return proof;
 }
 
@@ -161,10 +129,7 @@ shown::Proof WorldFrames::LineProof(const bmr_world_pair &pair, const WorldRun &
     if (pair.kds == nullptr || !bmr_kds_get_proof(pair.kds, &line))
         return proof;
     const bmr_body_state a = run.StateOf(pair.a);
-    bmr_pose b = OtherPose(pair, run);
-    // What a structure sees of a wall goes along it, beside the body.
-    const bmr_vec2 beside = bmr_is_wall(pair.b) ? FootOn(pair.b, a.pose.position) : bmr_vec2_make(0.0, 0.0);
-    b.position = bmr_add(b.position, beside);
+    const bmr_pose b = OtherPose(pair, run);
     // The body born first is the structure's A, and the pair's.
     const bmr_pose *own = line.owner == 0 ? &a.pose : &b, *other = line.owner == 0 ? &b : &a.pose;
     const bmr_vec2 nearest = bmr_unrotate(own, bmr_sub(bmr_transform(other, line.nearest), own->position));
@@ -173,27 +138,22 @@ shown::Proof WorldFrames::LineProof(const bmr_world_pair &pair, const WorldRun &
     proof.owner = line.owner;
     proof.level = line.level;
     proof.normal = ToVec(line.line.normal);
-    if (line.owner == 1 && bmr_is_wall(pair.b))
-        proof.supports[side] = ToVec(FootOn(pair.b, bmr_transform(other, line.nearest)));
-    else
-        proof.supports[side] =
-            Farthest((line.owner == 0 ? a : run.StateOf(pair.b)).shape->polygon, line.line.normal);
-    proof.supports[1 - side] = ToVec(line.owner == 0 ? bmr_add(line.nearest, beside) : line.nearest);
+    proof.supports[side] =
+        Farthest((line.owner == 0 ? a : run.StateOf(pair.b)).shape->polygon, line.line.normal);
+    proof.supports[1 - side] = ToVec(line.nearest);
     proof.slack = static_cast<float>(std::max(0.0, bmr_dot(line.line.normal, nearest) - line.line.offset));
-    proof.hulls = {static_cast<int>(pair.a) + 1, bmr_is_wall(pair.b) ? 0 : static_cast<int>(pair.b) + 1};
     return proof;
 }
 
 /// None where the two are shown on different sides of a periodic box.
 shown::Proof WorldFrames::ProofOf(const bmr_world_pair &pair, const WorldRun &run) const {
-    if (!bmr_is_wall(pair.b)) {
-        const bmr_vec2 a = Wrapped(run.StateOf(pair.a).pose.position),
-                       b = bmr_add(Wrapped(run.StateOf(pair.b).pose.position), pair.image),
-                       off = bmr_sub(b, a);
-        if (std::hypot(off.x, off.y) > 0.5 * (m_setup.high.x - m_setup.low.x))
-            return {};
-    }
-    return pair.watch == BMR_WATCH_DISKS ? DisksProof(pair, run) : LineProof(pair, run);
+    const bmr_vec2 a = Wrapped(run.StateOf(pair.a).pose.position),
+                   b = bmr_add(Wrapped(run.StateOf(pair.b).pose.position), pair.image), off = bmr_sub(b, a);
+    if (std::hypot(off.x, off.y) > 0.5 * (m_setup.high.x - m_setup.low.x))
+        return {};
+    shown::Proof proof = pair.watch == BMR_WATCH_DISKS ? DisksProof(pair, run) : LineProof(pair, run);
+    proof.hulls = {static_cast<int>(pair.a) + 1, static_cast<int>(pair.b) + 1};
+    return proof;
 }
 
 /// Disks as polygons, for what draws outlines.
@@ -209,26 +169,16 @@ void WorldFrames::AddDisk(int body, double radius) {
     m_frame.outlines.push_back(disk);
 }
 
-/// Where a pair is to be shown: between the two, or where the body is beside its wall.
+/// Where a pair is to be shown: between the two.
 void WorldFrames::SetClosest(const bmr_world_pair &pair, const WorldRun &run, shown::Pair *record) const {
     const bmr_body_state a = run.StateOf(pair.a);
     const bmr_vec2 shown = Wrapped(a.pose.position);
     const bmr_pose b = OtherPose(pair, run);
     bmr_closest_points closest = {};
-    if (bmr_is_wall(pair.b)) {
-        closest.point_b = bmr_add(b.position, FootOn(pair.b, a.pose.position));
-        const bmr_vec2 down = bmr_sub(closest.point_b, a.pose.position);
-        closest.point_a = bmr_transform(
-            &a.pose,
-            a.shape->polygon->vertices[bmr_polygon_support(a.shape->polygon, bmr_unrotate(&a.pose, down))]);
-        closest.distance =
-            bmr_dot(down, bmr_sub(closest.point_b, closest.point_a)) / std::hypot(down.x, down.y);
-    } else {
-        Require(bmr_distance(a.shape->polygon, &a.pose, run.StateOf(pair.b).shape->polygon, &b, &closest),
-                "a pair");
-        if (!(closest.distance > 0.0))
-            closest.point_a = closest.point_b = bmr_scale(0.5, bmr_add(a.pose.position, b.position));
-    }
+    Require(bmr_distance(a.shape->polygon, &a.pose, run.StateOf(pair.b).shape->polygon, &b, &closest),
+            "a pair");
+    if (!(closest.distance > 0.0))
+        closest.point_a = closest.point_b = bmr_scale(0.5, bmr_add(a.pose.position, b.position));
     record->closest = {ToVec(bmr_sub(closest.point_a, shown)), ToVec(bmr_sub(closest.point_b, shown))};
     record->distance = static_cast<float>(std::max(0.0, closest.distance));
 }
@@ -265,7 +215,8 @@ shown::Frame WorldFrames::Take(const WorldRun &run) {
         run.World(),
         [](void *context, const bmr_world_pair *pair) {
             const auto *its = static_cast<const Visit *>(context);
-            its->recorder->AddPair(*pair, *its->run);
+            if (!bmr_is_wall(pair->b))
+                its->recorder->AddPair(*pair, *its->run);
         },
         &visit);
     std::sort(m_frame.pairs.begin(), m_frame.pairs.end(),

@@ -12,8 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "boomerang/world.h"
 #include "picture/frame.h"
 #include "theory/course.h"
@@ -204,8 +202,6 @@ struct WorldFigures {
 /// Runs a setup's world for the choice's time. Throws WorldStopped.
 WorldFigures Measure(const WorldSetup &setup, const MeasureOptions &options);
 
-nlohmann::json ToJson(const WorldFigures &figures);
-
 const char *NameOf(bmr_boundary boundary);
 /// "elastic", "restitution 0.9", "stick" or "pass".
 std::string NameOf(const bmr_response &response);
@@ -215,10 +211,10 @@ std::string NameOf(const bmr_response &response);
 ///     back into it;
 ///   - the hulls that proofs name are the bodies' disks;
 ///   - boxes are the cells that bodies live in;
-///   - pairs are those that the world watches. Those whose bodies are neighbours across a side of a periodic
-///     box have no proof here, for nothing can be drawn between them;
+///   - pairs are those of two bodies that the world watches. Those whose bodies are neighbours across a side
+///     of a periodic box have no proof here, for nothing can be drawn between them;
 ///   - touching are the contacts since the frame before, at their own times;
-///   - events are those of pairs, in the words of structures (near: "start"), and "part".
+///   - events are those of such pairs, in the words of structures (near: "start"), and "part".
 class WorldFrames {
 public:
     explicit WorldFrames(const WorldSetup &setup) : m_setup(setup) {}
@@ -237,7 +233,6 @@ private:
     void AddPair(const bmr_world_pair &pair, const WorldRun &run);
     void SetClosest(const bmr_world_pair &pair, const WorldRun &run, shown::Pair *record) const;
     bmr_pose OtherPose(const bmr_world_pair &pair, const WorldRun &run) const;
-    bmr_vec2 FootOn(bmr_body wall, bmr_vec2 place) const;
     shown::Proof DisksProof(const bmr_world_pair &pair, const WorldRun &run) const;
     shown::Proof LineProof(const bmr_world_pair &pair, const WorldRun &run) const;
     void AddDisk(int body, double radius);

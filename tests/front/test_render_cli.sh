@@ -83,7 +83,7 @@ test_scenes_that_stock_does_not_have() {
     draw "$scratch/on.svg" any-stack --step 5 --bare --width 400
     draw "$scratch/off.svg" any-stack --step 5 --bare --width 400 --plugin off
     ! same_svg "$scratch/on.svg" "$scratch/off.svg" || fail "the picture does not say that the plugin was off"
-    expect 0 run any-gas --steps 3 --plugin off --json
+    expect 0 run any-gas --steps 3 --plugin off
 }
 
 test_frames_tell_the_truth() {

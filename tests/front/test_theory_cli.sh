@@ -41,9 +41,9 @@ test_events_take_ones_own_polygons_and_motion() {
     expect 0 events --polygon "$scratch/square.txt" --motion "$scratch/hit.txt" --structures rigid --quiet --csv "$scratch/hit.csv"
     # Every structure sees one contact begin and one end: two squares of half width 1, apart again at x = 2.
     awk -F, 'NR > 1 && $11 != 2 { print; bad = 1 } END { exit bad || NR < 5 }' "$scratch/hit.csv" >"$scratch/out" || fail "not two external events"
-    # From y = -6 with speed 12: in contact from 4/12 to 8/12. A little to the side it is never in contact.
+    # A little to the side it is never in contact.
     expect 0 events --polygon "$scratch/square.txt" --motion "$scratch/hit.txt" --structures lazy-compass
-    out_has 'n = 4, in contact from 0\.333 to 0\.667$'
+    out_has 'n = 4, in contact on the way$'
     sed 's/screw 0 -6 0/screw 0 -6 2.5/' "$scratch/hit.txt" >"$scratch/miss.txt"
     says 'D/sigma = 5\.6' 0 events --polygon "$scratch/square.txt" --motion "$scratch/miss.txt" --structures lazy-compass
     for motion in 'sample 0 4 0 0|sample 1 4 4 1' 'algebraic 0 0 x 4 1 y 0 0 2 a 1 b 0 1'; do
