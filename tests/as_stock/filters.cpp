@@ -19,10 +19,6 @@ void PutOutWhenAsked(Game &game, b2Body *victim) {
     };
 }
 
-void Resize(b2Fixture *fixture, float halfWidth) {
-    static_cast<b2PolygonShape *>(fixture->GetShape())->SetAsBox(halfWidth, 0.4f);
-}
-
 } // namespace
 
 // The floor is a long bar aslant. What comes lies in the corner of its box, metres away from the bar itself.
@@ -154,61 +150,7 @@ struct Pairs : Game {
     std::vector<b2Body *> ones;
 };
 
-enum What { kSleep, kWake, kThrow, kGrow, kTurnSensor, kWhats };
-
-void Do(int what, b2Body *a, b2Body *b) {
-    switch (what) {
-    case kSleep:
-        a->SetAwake(false);
-        b->SetAwake(false);
-        break;
-    case kWake:
-        a->SetAwake(true);
-        break;
-    case kThrow:
-        b->SetLinearVelocity({-3.0f, 0.0f});
-        b->SetBullet(true);
-        break;
-    case kGrow:
-        Resize(b->GetFixtureList(), 0.55f);
-        break;
-    default:
-        b->GetFixtureList()->SetSensor(!b->GetFixtureList()->IsSensor());
-    }
-}
-
-/// While the loop goes over contacts.
-void PlayAsked(Run &run, int what) {
-    Pairs game(run);
-    int times = 0, done = 0;
-    for (int step = 0; step < 6; ++step) {
-        const size_t from = static_cast<size_t>(step) % 2;
-        for (size_t i = from; what == kWake && i < game.ones.size(); i += 2)
-            for (b2ContactEdge *edge = game.ones[i]->GetContactList(); i % 4 == 0 && edge != nullptr;
-                 edge = edge->next) {
-                edge->other->SetAwake(false);
-                game.ones[i]->SetAwake(false);
-            }
-        game.Refilter(from, 2);
-        game.filter.asked = [&](b2Fixture *a, b2Fixture *b) {
-            if (++times % 3 != 0) {
-                Do(what, a->GetBody(), b->GetBody());
-                ++done;
-            }
-        };
-        game.Step();
-    }
-    game.filter.asked = nullptr;
-    game.Step(3);
-    game.TookPlace(done, "the filter does something to those that it is asked about");
-}
-
 } // namespace
-
-AS_STOCK("asked: a filter puts to sleep, wakes, throws and changes those that it is asked about") {
-    for (int what = 0; what < kWhats; ++what)
-        PlayAsked(run, what);
-}
 
 AS_STOCK("parted: in the midst of a look at a contact, which finds it apart, it is flagged for filtering") {
     Game game(run);

@@ -225,58 +225,6 @@ AS_STOCK("roused: a listener that is told of an island wakes bodies that sleep s
     game.TookPlace(woken, "sleepers are woken");
 }
 
-namespace {
-
-/// A heap of boxes, pairs apart, and some that sleep beside each other.
-struct Heap : Game {
-    explicit Heap(Run &run) : Game(run, {0.0f, -10.0f}) {
-        Wall({0.0f, -1.0f}, {60.0f, 1.0f});
-        for (int i = 0; i < 40; ++i)
-            Box({1.5f * Real(i % 8), 0.6f + 1.3f * Real(i / 8)}, {0.5f, 0.5f}, 0.3f * Real(i));
-        for (int i = 0; i < 10; ++i)
-            sleepers.push_back(Box({-20.0f - 0.98f * Real(i), 0.5f}));
-        for (int i = 0; i < 20; ++i)
-            Near({30.0f, 1.0f + 1.5f * Real(i)})->SetGravityScale(0.0f);
-        Step(100);
-        for (b2Body *body : sleepers)
-            body->SetAwake(false);
-        Listen();
-    }
-    std::vector<b2Body *> sleepers;
-};
-
-} // namespace
-
-AS_STOCK("heap: listeners push and wake bodies, and change the contact that they are told of") {
-    Heap game(run);
-    int woken = 0;
-    game.listener.preSolve = [&game, &woken](b2Contact *contact) {
-        contact->SetEnabled(game.listener.told % 5 != 0);
-        contact->SetFriction(0.1f * Real(game.listener.told % 7));
-        if (game.listener.told % 7 != 0)
-            return;
-        b2Body *const sleeper = game.sleepers[static_cast<size_t>(game.listener.told) % game.sleepers.size()];
-        woken += sleeper->IsAwake() ? 0 : 1;
-        sleeper->ApplyLinearImpulseToCenter({0.2f, 3.0f}, true);
-    };
-    game.listener.end = [](b2Contact *contact) { contact->SetEnabled(false); };
-    game.listener.postSolve = [](b2Contact *contact) {
-        contact->GetFixtureB()->GetBody()->ApplyLinearImpulseToCenter({0.02f, 0.0f}, true);
-    };
-    for (int i = 0; i < 60; ++i) {
-        b2Body *const shot = game.Box({-3.0f, 0.5f + 0.1f * Real(i)}, {0.1f, 0.1f});
-        shot->SetBullet(i % 2 == 0);
-        shot->SetLinearVelocity({150.0f, 0.0f});
-        for (b2Body *body : game.sleepers)
-            body->SetAwake(false);
-        game.Step(3);
-        for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-            game.hash.Add(c->IsEnabled() ? 1u : 0u);
-        game.world.DestroyBody(shot);
-    }
-    game.TookPlace(woken, "a push wakes a sleeper");
-}
-
 AS_STOCK("woken: a listener wakes, in an impact, who fell asleep in the same step") {
     Game game(run, {0.0f, -10.0f});
     game.Box(game.Wall({0.0f, -1.0f}, {60.0f, 1.0f}), 1.0f, 5.0f, {10.0f, 6.0f});

@@ -7,6 +7,7 @@
 #include "convex32/directions.h"
 #include "convex32_loops.h"
 #include "convex32_poses.h"
+#include "polygons.h"
 #include "test_scale.h"
 
 static bmr_vec32 vec(double x, double y) {
@@ -145,6 +146,40 @@ TEST(the_audit_finds_what_is_wrong) {
     other.buckets = NULL;
     assert_int_equal(bmr_convex32_audit(&other), BMR_ERROR_INVALID_STRUCTURE);
     assert_int_equal(bmr_convex32_audit(&p), BMR_OK);
+}
+
+/// Of a needle whose short side is level, the area is known: half of base times height, both differences of
+/// two floats.
+TEST(masses_of_needles_are_exact) {
+    test_random random = {14};
+    size_t made = 0, lost = 0;
+    for (size_t k = 0; k < 100000; ++k) {
+        const float scale = ldexpf(1.0f, (int)floor(test_random_uniform(&random, -40.0, -24.0)));
+        const bmr_vec32 points[3] = {
+            {(float)test_random_uniform(&random, 0.1, 1.0), (float)test_random_uniform(&random, -1.0, 0.5)},
+            {scale * (float)test_random_uniform(&random, 0.0, 1.0), 1.0f},
+            {-scale * (float)test_random_uniform(&random, 0.0, 1.0), 1.0f}};
+        own_convex32 *block = NULL;
+        if (bmr_convex32_create(points, 3, NULL, &block) != BMR_OK)
+            continue;
+        ++made;
+        const long double base = (long double)points[1].x - (long double)points[2].x;
+        const long double area = base * (1.0L - (long double)points[0].y) / 2;
+        assert_true(fabsl((long double)block->mass.area - area) <= 1e-7L * area);
+        const loop_mass truth = loop_measure(&block->polygon);
+        assert_true(fabsl(truth.area - area) <= 1e-12L * area);
+        assert_true(fabsl((long double)block->mass.inertia - truth.inertia) <= 1e-7L * truth.inertia);
+        assert_true(fabsl((long double)block->mass.centroid.x - truth.x) <=
+                    1e-7L * (long double)block->reach);
+        assert_true(fabsl((long double)block->mass.centroid.y - truth.y) <=
+                    1e-7L * (long double)block->reach);
+        // The control: a product of rounded differences is somewhere else.
+        const double ax = (double)points[0].x, ay = (double)points[0].y;
+        const double rounded =
+            ((double)points[1].x - ax) * (1.0 - ay) - (1.0 - ay) * ((double)points[2].x - ax);
+        lost += fabsl(rounded / 2 - area) > 1e-7L * area;
+    }
+    assert_true(made > 100 && lost > 10);
 }
 
 /// (Of any polygon: random/polygon32.cpp.)

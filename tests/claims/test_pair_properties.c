@@ -172,6 +172,10 @@ TEST(the_audit_rejects_a_tampered_pair) {
                 }
                 p.certificate.offset -= size;
                 REJECTED(1);
+                p.owner = 2;
+                REJECTED(2);
+                p.edge = 1000; // neither a vertex nor an edge
+                REJECTED(5);
                 p.owner = (uint8_t)(1 - p.owner);
                 if (t.shape[0].polygon->count > 2 && t.shape[1].polygon->count > 2)
                     REJECTED(2);
