@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Worlds that are rounded in another direction than to the nearest, as libraries for intervals leave a
-// thread; worlds where little is left of what is rounded; and trees of boxes that have all their bits.
+// thread; and worlds where little is left of what is rounded.
 #include "as_stock.h"
-#include "tree_play.h"
 
 using namespace as_stock;
 
@@ -170,26 +169,4 @@ AS_STOCK("slow: needles turn by next to nothing in each step, until they meet") 
         game.Step(4000);
         game.TookPlace(game.Touching(), "needles meet");
     }
-}
-
-// Beside the world of a game.
-AS_STOCK("trees: any boxes in trees of a game's own") {
-    Game game(run, {0.0f, -10.0f});
-    FillWithBoxes(game.world);
-    game.Step(20);
-    uint32_t seed = 0;
-    for (const treeplay::Boxes boxes : treeplay::kAllBoxes) {
-        b2DynamicTree tree;
-        ++seed;
-        treeplay::Player player(seed, boxes, 30 + 40 * static_cast<int32>(seed));
-        treeplay::OfBox2D proxies;
-        for (int i = 0; i < 5000; ++i) {
-            player.Play(&tree, &proxies);
-            if (i % 16 == 0 || i + 1 == 5000)
-                treeplay::EachWord(tree, [&game](uint32_t word) { game.hash.Add(word); });
-        }
-        game.WriteDown();
-        game.TookPlace(tree.GetHeight(), "there are boxes in the tree");
-    }
-    game.Step(100);
 }

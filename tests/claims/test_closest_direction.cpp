@@ -19,18 +19,7 @@ constexpr int kPlaces = 8;
 /// at most 2^-53: 5.6e-16 of the scale in each coordinate, 7.8e-16 as a vector.
 constexpr long double kRounding = 8e-16L;
 
-using distance::Point;
-using distance::Points;
-
-Points Transformed(const bmr_polygon *polygon, const bmr_pose &pose) {
-    const long double c = pose.c, s = pose.s;
-    Points points;
-    for (uint32_t i = 0; i < polygon->count; ++i) {
-        const long double x = polygon->vertices[i].x, y = polygon->vertices[i].y;
-        points.push_back({c * x - s * y + pose.position.x, s * x + c * y + pose.position.y});
-    }
-    return points;
-}
+using distance::Point, distance::Points, distance::Transformed;
 
 /// Of polygons that are apart.
 long double Distance(const Points &a, const Points &b) {
@@ -42,16 +31,6 @@ long double Distance(const Points &a, const Points &b) {
             least = std::min({least, std::hypot(toA.x, toA.y), std::hypot(toB.x, toB.y)});
         }
     return least;
-}
-
-/// min over b - max over a along the direction.
-long double Separation(const Points &a, const Points &b, bmr_vec2 direction) {
-    long double top = -INFINITY, bottom = INFINITY;
-    for (const Point &p : a)
-        top = std::max(top, p.x * direction.x + p.y * direction.y);
-    for (const Point &p : b)
-        bottom = std::min(bottom, p.x * direction.x + p.y * direction.y);
-    return bottom - top;
 }
 
 struct Tally {
@@ -102,7 +81,8 @@ void Judge(const Points &a, const Points &b, const bmr_closest &closest, long do
     tally.near += distance < 1e-6L;
     tally.tooLittle += closest.separation < distance / (1.0L + BMR_DISTANCE_TOLERANCE) - slop;
     tally.tooMuch += closest.separation > distance + slop;
-    tally.notSeparated += Separation(a, b, closest.direction) < closest.separation - 2.0L * slop;
+    tally.notSeparated += distance::SeparationAlong(a, b, closest.direction.x, closest.direction.y) <
+                          closest.separation - 2.0L * slop;
 }
 
 /// Two random polygons in random directions from one another, each time at a random distance.

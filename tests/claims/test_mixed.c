@@ -5,8 +5,8 @@
 #include "test_scale.h"
 
 /// @file
-/// The mixed hierarchy against brute force over all tiles: the one that holds a point, and what lies across
-/// each side. Their area: tests/random/mixed.cpp. What section 4 says of their number: test_claims_mixed.c.
+/// The mixed hierarchy against brute force over all tiles: what lies across each side. That they tile, and
+/// which holds a point: tests/random/mixed.cpp. What section 4 says of their number: test_claims_mixed.c.
 
 /// Brute force: in how many tiles is x, the last one, and how far is x from the border of any.
 typedef struct cover {
@@ -41,87 +41,6 @@ static cover cover_of(const scene *s, bmr_vec2 x) {
         c.tile = inside ? i : c.tile;
     }
     return c;
-}
-
-static bmr_vec2 some_point(const scene *s, test_random *random) {
-    // Mostly near the sum's border, at all distances.
-    const double gap = size_of(s) * exp(test_random_uniform(random, -14.0, 0.5));
-    const double direction = test_random_uniform(random, 0.0, TWO_PI);
-    return test_pose_at(s->polygons[0], s->polygons[1], direction, s->angle, gap).position;
-}
-
-static bmr_pose pose_at(const scene *s, bmr_vec2 x) {
-    const bmr_pose pose = {x, s->mixed.c, s->mixed.s};
-    return pose;
-}
-
-static bool is_outside(const scene *s, bmr_vec2 x) {
-    double slack;
-    (void)bmr_mixed_outside(&s->mixed, x, &slack);
-    return slack > 0.0;
-}
-
-/// What the implicit cell promises by itself: its sides hold x, and its certificate is true.
-static bool is_certificate(const scene *s, const bmr_mixed_cell *cell, bmr_vec2 x) {
-    bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
-    const size_t count = bmr_mixed_sides(&s->mixed, cell, sides);
-    for (size_t i = 0; i < count; ++i)
-        if (sides[i].role == BMR_MIXED_INNER) {
-            const double apart = bmr_mixed_side_value(&s->mixed, &sides[i], x);
-            const bmr_pose pose = pose_at(s, x);
-            return apart > 0.0 &&
-                   apart <= test_distance(s->polygons[0], s->polygons[1], &pose) + 1e-12 * size_of(s);
-        }
-    return false;
-}
-
-TEST(each_point_is_in_one_tile_and_the_implicit_cell_is_that_tile) {
-    test_random random = {403};
-    size_t compared = 0, skipped = 0, other = 0;
-    for (size_t round = 0; round < test_scaled(120); ++round) {
-        const size_t n = 3 + test_random_below(&random, 30), m = 3 + test_random_below(&random, 30);
-        own_scene s = random_scene(kinds[round % 2], n, m, &random);
-        for (int k = 0; k < 100; ++k) {
-            const bmr_vec2 x = some_point(&s, &random);
-            const double direction = test_random_uniform(&random, 0.0, TWO_PI);
-            const cover c = cover_of(&s, x);
-            const bool outside = is_outside(&s, x);
-            if (c.clearance < 1e-11 * size_of(&s)) {
-                ++skipped; // on a border, up to rounding
-                continue;
-            }
-            const bmr_pose pose = pose_at(&s, x);
-            const bool apart = test_distance(s.polygons[0], s.polygons[1], &pose) > 0.0;
-            assert_int_equal(c.count, apart && !outside ? 1 : 0);
-            if (!apart)
-                continue;
-            // Locate along any direction whose way back meets the sum behind x only.
-            bmr_mixed_cell cell;
-            unsigned touched = 0;
-            assert_true(bmr_mixed_locate(&s.mixed, x, bmr_vec2_make(cos(direction), sin(direction)), &cell,
-                                         &touched));
-            if (cell.kind == BMR_MIXED_INSIDE)
-                continue; // the sum was in the way
-            if (outside) {
-                assert_int_equal(cell.kind, BMR_MIXED_OUTSIDE);
-                assert_true(is_certificate(&s, &cell, x));
-                continue;
-            }
-            assert_int_equal(bmr_mixed_tiling_find(s.tiling, &cell), c.tile);
-            assert_true(bmr_mixed_exists(&s.mixed, &cell));
-            assert_true(is_certificate(&s, &cell, x));
-            uint32_t tile = BMR_MIXED_NO_TILE; // and by the stored neighbours, from far away
-            bmr_mixed_kind kind;
-            const bmr_vec2 far =
-                bmr_add(x, bmr_scale(20.0 * size_of(&s), bmr_vec2_make(cos(direction), sin(direction))));
-            assert_true(bmr_mixed_tiling_walk(s.tiling, &tile, &kind, far, x, NULL));
-            assert_int_equal(tile, c.tile);
-            other += tile != (c.tile + 1) % bmr_mixed_tiling_count(s.tiling); // control: other tiles are told
-            ++compared;
-        }
-    }
-    printf("compared %zu, on a border %zu\n", compared, skipped);
-    assert_true(other > 0);
 }
 
 // --- neighbours ---
