@@ -60,31 +60,6 @@ AS_STOCK("brought: a filter brings the first listener while Box2D looks for impa
     PlaySwitches(run, false);
 }
 
-// What a contact's update told one of them it tells to its end. Every third time nobody comes in its place.
-AS_STOCK("turns: listeners take turns in the midst of being told") {
-    for (auto callback : {&Listener::begin, &Listener::end, &Listener::preSolve, &Listener::postSolve}) {
-        Falling game(run);
-        int turns = 0;
-        const auto giveWay = [&game, &turns](Listener &from, Listener &to) {
-            return [&] {
-                game.world.SetContactListener(from.told % 3 == 0 ? nullptr : &to);
-                ++turns;
-            };
-        };
-        game.listener.*callback = giveWay(game.listener, game.other);
-        game.other.*callback = giveWay(game.other, game.listener);
-        for (int step = 0; step < 150; ++step) {
-            if (step % 3 == 0) // a listener may have put nullptr in its place
-                game.Listen();
-            game.Step();
-        }
-        game.hash.Add(static_cast<uint32_t>(game.other.told));
-        game.WriteDown();
-        game.TookPlace(turns, "a listener gives way");
-        game.TookPlace(game.other.told, "the other one is told");
-    }
-}
-
 AS_STOCK("disables: a listener disables all contacts when one begins, and leaves, or is taken away after the "
          "step") {
     for (const bool leaves : {false, true}) {

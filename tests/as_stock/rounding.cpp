@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worlds that are rounded in another direction than to the nearest, as libraries for intervals leave a
-// thread; and worlds where little is left of what is rounded.
+// thread; and needles that turn by next to nothing.
 #include "as_stock.h"
 
 using namespace as_stock;
@@ -97,65 +97,6 @@ AS_STOCK("trapped: a program sets traps, and bodies without mass are deep in eac
     }
     game.Step(20);
     game.TookPlace(game.Touching(), "bodies without mass touch");
-}
-
-namespace {
-
-/// With these numbers tips meet where proofs far from the origin are just good enough.
-float Between(std::minstd_rand &random, float low, float high) {
-    return low + (high - low) * Real(static_cast<int>(random() % 4096u)) / 4096.0f;
-}
-
-/// A triangle whose tip is at a place, and which lies in some direction of it, more or less.
-b2Body *AddTip(Game &game, b2BodyType type, b2Vec2 at, float direction, std::minstd_rand &random) {
-    const float width = Between(random, 0.05f, 1.2f), lies = direction + Between(random, -0.6f, 0.6f);
-    const b2Vec2 corners[3] = {{0.0f, 0.0f},
-                               Between(random, 0.3f, 0.9f) * b2Rot(lies - width).GetXAxis(),
-                               Between(random, 0.3f, 0.9f) * b2Rot(lies + width).GetXAxis()};
-    b2Body *body = game.Body(type, at);
-    body->SetSleepingAllowed(false);
-    b2PolygonShape triangle;
-    triangle.Set(corners, 3);
-    game.Fixture(body, triangle);
-    return body;
-}
-
-/// One triangle of each pair is carried towards the tip of the other, tip first. Where two tips meet, two
-/// touch that are as far apart as any can be that do, give or take what is rounded.
-void PlayCorners(Run &run, float far) {
-    constexpr int kSteps = 60;
-    Game game(run);
-    int met = 0;
-    std::minstd_rand random(static_cast<uint32_t>(far));
-    struct Pair {
-        b2Body *moved;
-        b2Vec2 tip, from;
-    };
-    std::vector<Pair> pairs;
-    for (int i = 0; i < 150; ++i) {
-        const b2Vec2 tip(far + 3.0f * Real(i % 12), far + 3.0f * Real(i / 12));
-        const float direction = Between(random, 0.0f, 6.3f);
-        AddTip(game, b2_staticBody, tip, direction + b2_pi, random);
-        const b2Vec2 from = 0.09f * b2Rot(direction).GetXAxis();
-        pairs.push_back({AddTip(game, b2_dynamicBody, tip + from, direction, random), tip, from});
-    }
-    for (int step = 0; step < kSteps; ++step) {
-        for (const Pair &pair : pairs) {
-            pair.moved->SetTransform(pair.tip + (1.0f - Real(step) / Real(kSteps)) * pair.from, 0.0f);
-            pair.moved->SetLinearVelocity({0.0f, 0.0f});
-            pair.moved->SetAngularVelocity(0.0f);
-        }
-        game.Step();
-        met += game.Touching();
-    }
-    game.TookPlace(met, "tips meet");
-}
-
-} // namespace
-
-AS_STOCK("corners: tips of triangles come near each other, also where nothing is exact to a millimetre") {
-    for (const float far : {400.0f, 900.0f, 1800.0f, 3700.0f, 7500.0f, 30000.0f, 100000.0f})
-        PlayCorners(run, far);
 }
 
 // What is lost in each step is lost often.

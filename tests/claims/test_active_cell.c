@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <inttypes.h>
-
 #include "checks.h"
 #include "kds_driver.h"
 #include "motions.h"
@@ -8,7 +6,8 @@
 #include "test_scale.h"
 
 /// @file
-/// The structures on the mixed hierarchy, driven event by event and audited by brute force.
+/// The structures on the mixed hierarchy where they are hard. (On motions of every kind:
+/// random/fuzz_structures.cpp.)
 
 #define TWO_PI 6.283185307179586
 static const char *const names[] = {"active-cell-compass", "active-cell-dudley", "tiling-dudley"};
@@ -24,92 +23,6 @@ static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_bo
 static test_kds_body random_body(test_random *random) {
     const test_family family = (test_family)test_random_below(random, TEST_FAMILY_COUNT);
     return test_kds_body_make(test_polygon(family, 3 + test_random_below(random, 40), random));
-}
-
-// --- driven by events ---
-
-typedef struct totals {
-    uint64_t events[BMR_KDS_EVENT_KIND_COUNT];
-    uint64_t outside; ///< events from and to outside of M_0
-    uint64_t mislabelled, levels;
-} totals;
-
-static void count_event(void *context, const test_drive_event *event) {
-    totals *t = context;
-    const bmr_kds_report *r = &event->report;
-    ++t->events[r->kind];
-    t->outside += r->level_before < 0 && r->level_after < 0;
-    // Pages are turned, cells collapse and are stabbed only where there is a cell.
-    const bool of_cell =
-        r->kind == BMR_KDS_STAB || r->kind == BMR_KDS_PAGE_TURN || r->kind == BMR_KDS_COLLAPSE;
-    t->mislabelled += of_cell && r->level_before < 1;
-    if (r->kind == BMR_KDS_PAGE_TURN || r->kind == BMR_KDS_COLLAPSE)
-        t->mislabelled += event->failed.kind != BMR_CONDITION_TURN;
-    if (r->kind == BMR_KDS_STAB && r->apart) // inwards: to a later stage
-        t->mislabelled += r->level_after < r->level_before;
-    bmr_kds_proof proof;
-    if (bmr_kds_get_proof(event->kds, &proof))
-        t->levels += proof.level == r->level_after;
-}
-
-/// One random pair on one random path; a control at its end.
-static void drive_one(const char *name, bool rotates, test_random *random, totals *t) {
-    own_kds_body a = random_body(random), b = random_body(random);
-    const double size = a.polygon->radius + b.polygon->radius;
-    const double gap = size * exp(test_random_uniform(random, log(1e-5), log(0.3)));
-    const test_path_kind kind = (test_path_kind)test_random_below(random, TEST_PATH_KIND_COUNT);
-    test_path path = test_path_make(kind, a.polygon, b.polygon, gap, rotates, random);
-    if (!rotates && test_random_below(random, 3) == 0)
-        path.angle = 0.0; // aligned hierarchies
-    const double margin = test_random_below(random, 4) == 0 ? 1e-3 : 1e-6;
-    own_kds *kds = made(name, &a, &b, margin);
-    const test_drive drive = {.path = &path, .margin = margin, .on_event = count_event, .context = t};
-    const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &drive);
-    if (!test_drive_is_sound(&result))
-        printf("%s, path %d, n %u, m %u: false audits %u (%s), dead repairs %u, false contacts %u, "
-               "missed %u, changed by none %u\n",
-               name, (int)kind, a.polygon->count, b.polygon->count, result.false_audits,
-               bmr_error_describe(result.error), result.dead_repairs, result.false_contacts,
-               result.missed_contacts, result.changed_by_none);
-    assert_true(test_drive_is_sound(&result));
-    // Control: the audit says no where a pair that is held apart touches.
-    bmr_kds_proof proof;
-    if (bmr_kds_get_proof(kds, &proof)) {
-        bmr_pose through = test_path_at(&path, 1.0).pose;
-        through.position = bmr_sub(a.polygon->vertices[0], bmr_rotate(&through, b.polygon->vertices[0]));
-        assert_int_not_equal(bmr_kds_audit(kds, &through), BMR_OK);
-    }
-}
-
-static void drive_all(bool rotates, size_t rounds, uint64_t seed) {
-    test_random random = {seed};
-    for (size_t k = 0; k < COUNT_OF(names); ++k) {
-        if (rotates && test_structure(names[k])->domain == BMR_KDS_TRANSLATION)
-            continue;
-        totals t;
-        memset(&t, 0, sizeof t);
-        for (size_t round = 0; round < rounds; ++round)
-            drive_one(names[k], rotates, &random, &t);
-        printf("%s:", names[k]);
-        for (int i = 0; i < BMR_KDS_EVENT_KIND_COUNT; ++i)
-            if (t.events[i] > 0)
-                printf(" %s %" PRIu64, bmr_kds_event_name((bmr_kds_event_kind)i), t.events[i]);
-        printf(", of these outside %" PRIu64 "\n", t.outside);
-        assert_int_equal(t.mislabelled, 0);
-        assert_true(t.levels > 0 && t.outside > 0);
-        assert_true(t.events[BMR_KDS_CROSS] > rounds && t.events[BMR_KDS_STAB] > rounds);
-        assert_true(!rotates || rounds < 50 || t.events[BMR_KDS_PAGE_TURN] > 0);
-        // "The configuration point will be squeezed out of the cell before it finishes collapsing."
-        assert_int_equal(t.events[BMR_KDS_COLLAPSE], 0);
-    }
-}
-
-TEST(translations_are_sound) {
-    drive_all(false, test_scaled(150), 501);
-}
-
-TEST(rigid_motions_are_sound) {
-    drive_all(true, test_scaled(200), 503);
 }
 
 /// Boxes, octagons and regular polygons at multiples of a right angle, moving along the axes on the lines of

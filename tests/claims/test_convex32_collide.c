@@ -12,8 +12,6 @@
 
 static const float skin = 0.02f, tolerance = 0.0005f;
 
-enum { POSES_A_PAIR = 50 };
-
 typedef struct tally {
     size_t poses, touching, different;
     size_t missed;       ///< no points though big polygons are certainly within their skins
@@ -147,84 +145,4 @@ TEST(same_as_all_vertices_at_4096) {
     assert_int_equal(t.wrong, 0);
     assert_int_equal(t.missed, 0);
     assert_true(t.touching > 0 && t.turned_over >= t.touching); // control: the comparison sees one bit
-}
-
-typedef enum chain_answer { CHAIN_FOUND, CHAIN_MISSED, CHAIN_SHARP_MISSED } chain_answer;
-
-/// Puts the polygon upon a chain of three edges that bends little or not at all, at the middle one. A sharp
-/// vertex, which turns by more than Box2D's tolerance, is told apart: at the joints of bent chains Box2D's
-/// rule leaves some to neither edge.
-static chain_answer on_chain(dice *d, const bmr_convex32_block *block) {
-    enum { VERTICES = 6 }; // the first and the last one are ghosts
-    const bmr_convex32 *const polygon = &block->polygon;
-    bmr_vec32 chain[VERTICES] = {{0.0f, 0.0f}};
-    double ways[VERTICES];
-    const double length = pow(10.0, dice_in(d, -2.0, 1.0)), bend = pow(10.0, dice_in(d, -5.0, 0.0));
-    double way = dice_in(d, 0.0, 6.0);
-    for (int i = 1; i < VERTICES; ++i) {
-        ways[i - 1] = way;
-        chain[i].x = chain[i - 1].x + (float)(length * cos(way));
-        chain[i].y = chain[i - 1].y + (float)(length * sin(way));
-        way += dice_below(d, 2) == 0 ? 0.0 : dice_in(d, 0.0, bend);
-    }
-    // Where it touches: along the edge, or at its end in any direction between the normals there.
-    const bool at_joint = dice_below(d, 2) == 0;
-    const double part = at_joint ? 1.0 : dice_in(d, 0.0, 1.0);
-    const double along = at_joint ? dice_in(d, ways[2], ways[3]) : ways[2];
-    const double normal_x = sin(along), normal_y = -cos(along), gap = dice_in(d, -0.5, 0.9) * (double)skin;
-    bmr_transform32 pose = random_pose32(d, 0.0);
-    double least = DBL_MAX, x = 0.0, y = 0.0;
-    uint32_t lowest = 0;
-    for (uint32_t i = 0; i < polygon->count; ++i) {
-        const double vx = (double)polygon->vertices[i].x, vy = (double)polygon->vertices[i].y;
-        const double wx = (double)pose.c * vx - (double)pose.s * vy,
-                     wy = (double)pose.s * vx + (double)pose.c * vy;
-        if (wx * normal_x + wy * normal_y < least) {
-            least = wx * normal_x + wy * normal_y;
-            x = wx;
-            y = wy;
-            lowest = i;
-        }
-    }
-    pose.p.x = (float)((double)chain[2].x + part * (double)(chain[3].x - chain[2].x) + gap * normal_x - x);
-    pose.p.y = (float)((double)chain[2].y + part * (double)(chain[3].y - chain[2].y) + gap * normal_y - y);
-    const bmr_transform32 here = {{0.0f, 0.0f}, 0.0f, 1.0f};
-    bool touches = false;
-    for (int i = 1; i + 2 < VERTICES; ++i) {
-        const bmr_edge32 edge = {chain[i - 1], chain[i], chain[i + 1], chain[i + 2], true};
-        bmr_convex32_memory kept = any_memory(d);
-        bmr_manifold32 got;
-        bmr_convex32_collide_edge(&got, &edge, &here, polygon, block->mass.centroid, &pose, skin, &kept);
-        touches = touches || got.count > 0;
-    }
-    const bmr_vec32 before = polygon->normals[(lowest + polygon->count - 1) % polygon->count],
-                    after = polygon->normals[lowest];
-    const bool sharp =
-        before.x * after.y - before.y * after.x > 0.1f || before.x * after.x + before.y * after.y < 0.0f;
-    // What is behind an edge, it does not push: a thin polygon that is pressed through is.
-    const bmr_vec32 centroid = block->mass.centroid;
-    const double centre_x = (double)(pose.c * centroid.x - pose.s * centroid.y + pose.p.x - chain[2].x),
-                 centre_y = (double)(pose.s * centroid.x + pose.c * centroid.y + pose.p.y - chain[2].y);
-    if (centre_x * sin(ways[2]) - centre_y * cos(ways[2]) <= 0.5 * (double)skin)
-        return CHAIN_FOUND;
-    const chain_answer missed = sharp ? CHAIN_SHARP_MISSED : CHAIN_MISSED;
-    return touches ? CHAIN_FOUND : missed;
-}
-
-TEST(chains_miss_less_than_by_the_stock_rule) {
-    dice d = {0x5eed5u};
-    const size_t poses = test_scaled(50000);
-    size_t answers[3] = {0, 0, 0};
-    for (size_t n = 0; n < poses;) {
-        own_convex32 *const block = random_convex32(&d, random_kind(&d), 9 + dice_below(&d, 500));
-        for (int i = 0; i < POSES_A_PAIR; ++i, ++n) {
-            if (block->polygon.count > 8)
-                ++answers[on_chain(&d, block)];
-        }
-    }
-    printf("%zu polygons found on chains, %zu missed, %zu with sharp vertices\n", answers[CHAIN_FOUND],
-           answers[CHAIN_MISSED], answers[CHAIN_SHARP_MISSED]);
-    // With its tolerance alone it is one in 2,800, and one in 62.
-    assert_true(poses < 10000 ||
-                (answers[CHAIN_MISSED] * 10000 <= poses && answers[CHAIN_SHARP_MISSED] * 130 <= poses));
 }

@@ -65,23 +65,6 @@ inline void FillWithBoxes(b2World &world) {
     }
 }
 
-/// Puts a body out of the world as soon as it is asked about, asleep: Box2D makes its other contacts all the
-/// same.
-class PutsOut : public b2ContactFilter {
-public:
-    bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
-        for (const b2Fixture *asked : {a, b}) {
-            if (victim != nullptr && asked->GetBody() == victim) {
-                victim->SetAwake(false);
-                victim->SetEnabled(false);
-                victim = nullptr;
-            }
-        }
-        return b2ContactFilter::ShouldCollide(a, b);
-    }
-    b2Body *victim = nullptr;
-};
-
 /// What happened, to the last bit; numbers that are none are one number.
 class Hash {
 public:
