@@ -85,9 +85,10 @@ void FillEdgeLine(const TwoHulls &hulls, const bmr_pair &kinetic, Proof *proof) 
 
 /// With Options::pairsBy: what the bodies' structure proves at their poses.
 void AskHulls(const b2Contact &contact, Proof *proof) {
-    Ledger *const ledger = FindLedger(&contact.GetFixtureA()->GetBody()->GetWorld()->GetContactManager());
+    PairTable *const table =
+        FindPairTable(&contact.GetFixtureA()->GetBody()->GetWorld()->GetContactManager());
     const HullPair *const pair =
-        ledger != nullptr ? ledger->GetHullPairs().Find(ledger->NumberOf(&contact)) : nullptr;
+        table != nullptr ? table->hullPairs.Find(table->NumberOf(&contact)) : nullptr;
     double gap = 0.0;
     const bmr_pair kinetic = pair != nullptr ? KineticPairNow(*pair, &gap) : bmr_pair{};
     if (!(gap > 0.0))

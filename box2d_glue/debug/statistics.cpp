@@ -14,14 +14,14 @@ namespace {
 internal::AnswerObserver answerObserver = nullptr;
 } // namespace
 
-void TellOfEvent(const b2Body *bodyA, const b2Body *bodyB, const bmr_event &event) {
+void ReportEvent(const b2Body *bodyA, const b2Body *bodyB, const bmr_event &event) {
     const Options &options = GetSettings().options;
     GetCounts().events[event.kind].fetch_add(1, std::memory_order_relaxed);
     if (options.onEvent != nullptr)
         options.onEvent(options.eventContext, bodyA, bodyB, event);
 }
 
-void TellOfAnswer(const b2Contact &contact, Answer answer, bool here) {
+void ReportAnswer(const b2Contact &contact, Answer answer, bool here) {
     Count(&Counts::evaluations);
     Count(answer < Answer::HandedOver ? &Counts::provedApart : &Counts::handedOver);
     if (answer >= Answer::HandedOver && here)

@@ -27,7 +27,7 @@ template <typename Number> struct CountsOf {
     Number touchingAnswered{0};   ///< of those handed over, made here instead of by b2CollidePolygons
     Number toiAnswered{0};        ///< times of impact that a step asked for, answered without Box2D
     Number overlapsAnswered{0};   ///< overlaps of sensors, answered without Box2D
-    Number pairs{0};              ///< contacts of awake bodies, summed over the steps of worlds with a ledger
+    Number pairs{0};              ///< contacts of awake bodies, summed over the steps of worlds with a table
     Number looks{0};              ///< of the pairs, the ones whose contact or geometry was read
     Number renewals{0};           ///< of the pairs, the ones that their own line renewed
     Number verified{0};           ///< answers compared with Box2D's (Mode::Verify)
@@ -73,11 +73,11 @@ enum class Answer : int32_t {
 
 /// Counts an event of these two bodies, and tells Options::onEvent of it. To be called where
 /// Options::statistics is on.
-void TellOfEvent(const b2Body *bodyA, const b2Body *bodyB, const bmr_event &event);
+void ReportEvent(const b2Body *bodyA, const b2Body *bodyB, const bmr_event &event);
 
 /// Counts an answer, and tells whoever observes answers. `here`: a manifold that is needed is made here. The
 /// same holds.
-void TellOfAnswer(const b2Contact &contact, Answer answer, bool here);
+void ReportAnswer(const b2Contact &contact, Answer answer, bool here);
 
 /// Does anybody observe answers?
 bool AnswersAreObserved();

@@ -173,13 +173,12 @@ bool MakeByBox2D(const b2Contact &contact, b2Manifold *manifold) {
 struct ComparingQuery {
     const b2DynamicTree *tree;
     int32 proxy;
-    bool ownPairs;
     const b2Pair *next, *end;
     bool same = true;
 
     bool QueryCallback(int32 leaf) {
         if (!tree::Reports(proxy, leaf, tree->WasMoved(leaf)) ||
-            (!ownPairs && tree::BodyOf(tree->GetUserData(leaf)) == tree::BodyOf(tree->GetUserData(proxy))))
+            tree::BodyOf(tree->GetUserData(leaf)) == tree::BodyOf(tree->GetUserData(proxy)))
             return true;
         same = same && next != end && next->proxyIdA == b2Min(leaf, proxy) &&
                next->proxyIdB == b2Max(leaf, proxy);
@@ -205,9 +204,9 @@ void VerifyContact(const b2Contact &contact) {
 }
 
 void VerifyPairs(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
-                 int32 foundCount, bool ownPairs) {
+                 int32 foundCount) {
     CountVerified();
-    ComparingQuery query = {&tree, b2BroadPhase::e_nullProxy, ownPairs, found, found + foundCount};
+    ComparingQuery query = {&tree, b2BroadPhase::e_nullProxy, found, found + foundCount};
     for (int32 i = 0; i < count; ++i) {
         query.proxy = moves[i];
         if (moves[i] != b2BroadPhase::e_nullProxy)

@@ -25,10 +25,9 @@ namespace bmr {
 /// be called before code of the game can change anything.
 void VerifyContact(const b2Contact &contact);
 
-/// The pairs of the moved proxies that overlap others, in Box2D's order. `ownPairs`: also those of two
-/// fixtures of one body.
+/// The pairs of the moved proxies that overlap others, in Box2D's order.
 void VerifyPairs(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
-                 int32 foundCount, bool ownPairs);
+                 int32 foundCount);
 /// Is there a contact of these two already?
 void VerifyExists(const b2Fixture &a, const b2Fixture &b, bool ours, bool box2d);
 

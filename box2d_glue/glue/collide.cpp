@@ -15,7 +15,6 @@
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
 #include "glue/proofs/apart_line.h"
-#include "start/current_step.h"
 #include "start/settings.h"
 
 namespace bmr {
@@ -23,7 +22,7 @@ namespace bmr {
 namespace {
 
 /// The contact of a sensor and another polygon, if statistics are on; otherwise nullptr.
-SolidContact *SensorThatLives(b2Contact *contact) {
+SolidContact *SensorWithEvents(b2Contact *contact) {
     if (!GetSettings().options.statistics ||
         !(contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor()))
         return nullptr;
@@ -50,7 +49,7 @@ inline bool Persists(b2ContactManager *manager, b2Contact *contact, ListCounts *
     if (!BoxesOverlap(manager, *contact))
         return false;
     b2ContactListener *const listener = manager->m_contactListener;
-    TellListener(listener, contact, UpdateContact(contact), [] {});
+    CallListener(listener, contact, UpdateContact(contact), [] {});
     ++counts->awake;
     counts->touching += contact->IsTouching() ? 1 : 0;
     return true;
@@ -73,11 +72,10 @@ ListCounts CollideByList(b2ContactManager *manager, b2Contact *contact) {
     return counts;
 }
 
-/// A pass over the ledger, newest pair first.
+/// A pass over the table, newest pair first.
 class CollidePass {
 public:
-    CollidePass(Ledger *ledger, b2ContactManager *manager)
-        : m_ledger(ledger), m_manager(manager), m_pass(ledger) {}
+    CollidePass(PairTable *table, b2ContactManager *manager) : m_table(table), m_manager(manager) {}
 
     void Run();
 
@@ -88,24 +86,20 @@ private:
     bool PassesFilter(uint32_t i, b2Contact *contact);
     void Destroy(uint32_t i, b2Contact *contact);
     void Wake(const b2Body *body, uint32_t i);
-    void Look(uint32_t i, b2Contact *contact);
-    void Update(b2Contact *contact);
+    void Update(uint32_t i, b2Contact *contact);
+    void UpdateAndCall(b2Contact *contact);
     void Prove(uint32_t i, b2Contact *contact);
-    void End();
-    void FinishByList();
 
     void BeforeGame();
     void AfterGame();
 
-    Ledger *m_ledger;
+    PairTable *m_table;
     b2ContactManager *m_manager;
-    Ledger::Pass m_pass;
-    uint32_t m_looks = 0; ///< in this pass
-    uint32_t m_at = 0;    ///< records from here on are passed; the one that is visited is the last of them
-    uint64_t m_seen = 0;  ///< the look whose results the pass uses, as long as no code of the game ran
-    uint64_t m_due =
-        0; ///< of the word of 64 records that the pass is in, those that are due and still to come
-    uint32_t m_word = 0;         ///< its number; words from it on were looked at
+    uint32_t m_updates = 0; ///< in this pass
+    uint32_t m_at = 0;      ///< pairs from here on are passed; the one that is visited is the last of them
+    uint64_t m_seen = 0;    ///< the stamp of what the pass uses, as long as no code of the game ran
+    uint64_t m_due = 0; ///< of the word of 64 pairs that the pass is in, those that are due and still to come
+    uint32_t m_word = 0;         ///< its number; words from it on were passed
     b2Contact *m_next = nullptr; ///< if the world has left its table: the contact that comes next in the list
 };
 
@@ -114,52 +108,50 @@ private:
 /// The game may be called: contacts that the pass has passed are enabled, as Box2D's loop would have left
 /// them.
 void CollidePass::BeforeGame() {
-    m_ledger->Owed().Pause(m_at + 1);
+    m_table->deferred.Flush(m_at + 1);
 }
 
 /// The game was called: what was read before may have changed.
 void CollidePass::AfterGame() {
-    GameRan() = true;
-    if (!m_ledger->WasLeft() && !m_ledger->IsWhole())
-        LeaveTable(m_manager);
-    if (m_ledger->WasLeft())
+    if (HasLeft(m_table))
         return;
-    m_ledger->Distrust();
-    m_ledger->Owed().GoOn(m_at + 1);
+    m_table->deferred.NoteGame();
+    m_table->Distrust();
+    m_table->deferred.Resume(m_at + 1);
 }
 
 /// b2Contact::Update, by the listener of this moment.
-void CollidePass::Update(b2Contact *contact) {
+void CollidePass::UpdateAndCall(b2Contact *contact) {
     b2ContactListener *const listener = m_manager->m_contactListener;
     const ContactChange change = UpdateContact(contact);
-    if (TellListener(listener, contact, change, [this] { BeforeGame(); }))
+    if (CallListener(listener, contact, change, [this] { BeforeGame(); }))
         AfterGame();
 }
 
-/// The next record that is due. Found for 64 records at a time; contacts are asked for from memory some
+/// The next pair that is due. Found for 64 pairs at a time; contacts are asked for from memory some
 /// visits ahead.
 uint32_t CollidePass::Next() {
     constexpr int kAhead = 3;
-    if (m_ledger->CurrentLook() != m_seen)
-        return m_ledger->NextDue(m_at);
+    if (m_table->Stamp() != m_seen)
+        return m_table->NextDue(m_at);
     while (m_due == 0) {
         if (m_word == 0)
-            return Ledger::kNone;
+            return PairTable::kNone;
         --m_word;
-        m_due = m_ledger->DueOf(m_word);
+        m_due = m_table->DueOf(m_word);
         for (uint64_t left = m_due, ahead = kAhead; left != 0 && ahead > 0; --ahead)
-            ContactNumber::Prefetch(m_ledger->Contact(TakeNewest(&left)));
+            ContactNumber::Prefetch(m_table->Contact(TakeNewest(&left)));
     }
     const uint32_t next = TakeNewest(&m_due);
     uint64_t left = m_due;
     for (int ahead = 1; left != 0 && ahead < kAhead; ++ahead)
         TakeNewest(&left);
     if (left != 0)
-        ContactNumber::Prefetch(m_ledger->Contact(TakeNewest(&left)));
+        ContactNumber::Prefetch(m_table->Contact(TakeNewest(&left)));
     return next;
 }
 
-/// The number of the last of the word's records that are left.
+/// The number of the last of the word's pairs that are left.
 uint32_t CollidePass::TakeNewest(uint64_t *left) const {
     const uint32_t bit = HighestBit(*left);
     *left &= ~(uint64_t{1} << bit);
@@ -175,14 +167,14 @@ bool CollidePass::PassesFilter(uint32_t i, b2Contact *contact) {
         SolidContact::FilteringIsDone(contact);
     if (ofGame)
         AfterGame();
-    if (passes && !m_ledger->WasLeft())
-        m_ledger->ClearBit(i, kToBeFiltered);
+    if (passes && !m_table->WasLeft())
+        m_table->ClearBit(i, kToBeFiltered);
     return passes;
 }
 
 void CollidePass::Destroy(uint32_t i, b2Contact *contact) {
-    if (m_ledger->WasLeft() || (contact->IsTouching() && IsOfGame(m_manager->m_contactListener))) {
-        if (!m_ledger->WasLeft())
+    if (m_table->WasLeft() || (contact->IsTouching() && IsOfGame(m_manager->m_contactListener))) {
+        if (!m_table->WasLeft())
             BeforeGame();
         m_next = contact->GetNext();
         m_manager->Destroy(contact);
@@ -201,31 +193,31 @@ void CollidePass::Destroy(uint32_t i, b2Contact *contact) {
 /// A body woke in the middle of the pass: its pairs that are still to come are due. The others slept when the
 /// pass reached them, so they are not enabled.
 void CollidePass::Wake(const b2Body *body, uint32_t i) {
-    m_ledger->Owed().EnableDownTo(i + 1);
-    m_ledger->Wake(body);
+    m_table->deferred.EnableDownTo(i + 1);
+    m_table->Awaken(body);
     if (m_word == i / 64)
-        m_due = m_ledger->DueOf(m_word) & ~(~uint64_t{0} << (i % 64));
+        m_due = m_table->DueOf(m_word) & ~(~uint64_t{0} << (i % 64));
 }
 
-/// As Box2D looks at a contact. If it is apart afterwards, it gets a budget.
-void CollidePass::Look(uint32_t i, b2Contact *contact) {
-    Movers &movers = m_ledger->GetMovers();
-    const Ledger::Record record = m_ledger->At(i);
+/// As Box2D updates a contact. If it is apart afterwards, it gets a deadline.
+void CollidePass::Update(uint32_t i, b2Contact *contact) {
+    FixtureMotions &motions = m_table->motions;
+    const Pair pair = m_table->At(i);
     Count(&Counts::looks);
-    ++m_looks;
-    m_ledger->Owed().NoteLookedAt(i);
-    SolidContact *const sensor = SensorThatLives(contact);
+    ++m_updates;
+    m_table->deferred.NoteUpdated(i);
+    SolidContact *const sensor = SensorWithEvents(contact);
     const bmr_vec2 before = sensor != nullptr ? sensor->GuessDirection() : bmr_vec2{0.0, 0.0};
-    Update(contact);
-    if (m_ledger->WasLeft()) {
+    UpdateAndCall(contact);
+    if (m_table->WasLeft()) {
         m_next = contact->GetNext();
         return;
     }
     if (sensor != nullptr)
-        sensor->LiveAsSensor(before);
-    for (const uint32_t row : {record.a, record.b})
-        if (!movers.IsActive(row) && movers.IsActiveNow(row))
-            Wake(movers[row].body, i);
+        sensor->TakeSensorResult(before);
+    for (const uint32_t row : {pair.a, pair.b})
+        if (!motions.IsActive(row) && motions.IsActiveNow(row))
+            Wake(motions[row].body, i);
     Prove(i, contact);
 }
 
@@ -234,110 +226,97 @@ void CollidePass::Look(uint32_t i, b2Contact *contact) {
 /// that it takes back before the next pass. If it stepped the world, which unlocks it, the two's boxes may
 /// have parted since they were compared: the pair is due then.
 void CollidePass::Prove(uint32_t i, b2Contact *contact) {
-    m_ledger->LookAgain(i);
-    m_ledger->SetTouches(i, contact->IsTouching());
+    m_table->Refresh(i);
+    m_table->SetTouching(i, contact->IsTouching());
     SolidContact *ours = SolidContact::AsOurs(contact);
     const bool canProve = ours != nullptr && ours->IsOfPolygons() &&
                           contact->GetManifold()->pointCount == 0 &&
                           !SolidContact::WantsFiltering(*contact) && contact->IsEnabled();
     if (canProve && !contact->IsTouching())
-        ProveApart(m_ledger, i, ours);
+        ProveApart(m_table, i, ours);
     else if (canProve && (contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor()))
-        ProveOverlap(m_ledger, i);
+        ProveOverlap(m_table, i);
     else
-        m_ledger->SetDue(i);
+        m_table->SetDue(i);
 }
 
 void CollidePass::Visit(uint32_t i) {
-    Movers &movers = m_ledger->GetMovers();
-    const Ledger::Record record = m_ledger->At(i);
-    b2Contact *const contact = m_ledger->Contact(i);
-    const bool hasLine = (m_ledger->Bits(i) & kHasLine) != 0;
+    const FixtureMotions &motions = m_table->motions;
+    const Pair pair = m_table->At(i);
+    b2Contact *const contact = m_table->Contact(i);
+    const bool hasLine = (m_table->Bits(i) & kHasLine) != 0;
     if (!hasLine)
-        m_ledger->LookAgain(i);
+        m_table->Refresh(i);
     // Without a line the contact is read anyway.
     // (A step by the list may have filtered it since it was flagged.)
-    if (((m_ledger->Bits(i) & kToBeFiltered) != 0 || !hasLine) && SolidContact::WantsFiltering(*contact)) {
+    if (((m_table->Bits(i) & kToBeFiltered) != 0 || !hasLine) && SolidContact::WantsFiltering(*contact)) {
         const bool passes = PassesFilter(i, contact);
         if (!passes) {
             Destroy(i, contact);
             return;
         }
-        if (m_ledger->WasLeft()) {
+        if (m_table->WasLeft()) {
             m_next = contact;
             return;
         }
-        m_ledger->LookAgain(i);
+        m_table->Refresh(i);
     }
-    if (!movers.IsActive(record.a) && !movers.IsActive(record.b)) { // Wake has marked bodies that woke since
-        m_ledger->SetTouches(i, contact->IsTouching());             // an impact may have changed it
-        m_ledger->Rest(i);
+    if (!motions.IsActive(pair.a) && !motions.IsActive(pair.b)) { // Wake has marked bodies that woke since
+        m_table->SetTouching(i, contact->IsTouching());           // an impact may have changed it
+        m_table->SetAsleep(i);
         return;
     }
-    const std::optional<bool> known = m_ledger->BoxesOverlap(i);
+    const std::optional<bool> known = m_table->BoxesOverlap(i);
     if (!(known.has_value() ? *known : BoxesOverlap(m_manager, *contact))) {
         Destroy(i, contact);
         return;
     }
-    if (m_ledger->Renew(i, ApartThreshold(*m_ledger, i))) {
+    if (m_table->Renew(i, ApartThreshold(*m_table, i))) {
         Count(&Counts::renewals);
         return;
     }
-    Look(i, contact);
+    Update(i, contact);
 }
 
 void CollidePass::Run() {
-    m_ledger->LookAtMovers();
-    for (uint32_t word = 0; GetSettings().options.statistics && word <= m_ledger->Count() / 64; ++word)
-        GetCounts().pairs.fetch_add(CountBits(m_ledger->WatchedOf(word)), std::memory_order_relaxed);
-    m_ledger->Owed().Begin(m_ledger->Count());
-    m_seen = m_ledger->CurrentLook();
-    m_at = m_ledger->Count();
+    const uint32_t fixtures = m_table->UpdateMotions();
+    for (uint32_t word = 0; GetSettings().options.statistics && word <= m_table->Count() / 64; ++word)
+        GetCounts().pairs.fetch_add(CountBits(m_table->AwakeOf(word)), std::memory_order_relaxed);
+    m_table->deferred.Begin(m_table->Count());
+    m_seen = m_table->Stamp();
+    m_at = m_table->Count();
     m_word = m_at / 64 + 1;
-    for (uint32_t i = Next(); i != Ledger::kNone; i = Next()) {
+    for (uint32_t i = Next(); i != PairTable::kNone; i = Next()) {
         m_at = i;
         Visit(i);
-        if (m_ledger->WasLeft())
-            return FinishByList();
+        if (m_table->WasLeft()) {
+            CollideByList(m_manager, m_next);
+            return;
+        }
     }
-    End();
-}
-
-/// The world has left its table in the middle of the pass.
-void CollidePass::FinishByList() {
-    CollideByList(m_manager, m_next);
-    if (Ledger *const newer = FindLedger(m_manager)) // that a step inside this one has made
-        newer->Interrupt();
-    m_pass.Complete();
-}
-
-void CollidePass::End() {
-    m_pass.Complete();
-    if (StepsAreTimed())
-        NotePairs(m_ledger->WatchedCount(), m_ledger->CountTouching());
-    m_ledger->NoteLooks(m_looks);
-    m_ledger->Owed().EndPass(GameRan());
+    m_table->deferred.EndPass();
+    const uint32_t awake = m_table->AwakeCount();
+    m_table->cost.NotePass(m_updates, fixtures, static_cast<uint32_t>(m_manager->m_contactCount), awake);
+    if (!StepsAreTimed())
+        return;
+    uint32_t touching = 0;
+    for (uint32_t word = 0; word <= m_table->Count() / 64; ++word)
+        touching += CountBits(m_table->AwakeOf(word) & m_table->TouchingOf(word));
+    NotePairs(awake, touching);
 }
 
 } // namespace
 
-void Collide(b2ContactManager *manager) {
-    Ledger *const ledger = LedgerForStep(manager);
-    if (ledger != nullptr && ledger->NextStepPays() && ledger->Follow()) {
-        CollidePass(ledger, manager).Run();
+void Collide(b2ContactManager *manager, PairTable *table) {
+    if (table != nullptr) {
+        CollidePass(table, manager).Run();
         return;
     }
-    // The ledger does not see what contacts do meanwhile: when it is asked again, nothing that it knows
-    // holds.
-    if (Ledger *passedOver = FindLedger(manager))
-        passedOver->Interrupt();
-    if (HasCodeOfGame(*manager))
-        GameRan() = true;
     const ListCounts counts = CollideByList(manager, manager->m_contactList);
     if (StepsAreTimed())
         NotePairs(counts.awake, counts.touching);
-    if (Ledger *passedOver = FindLedger(manager))
-        passedOver->NoteList(counts.awake);
+    if (PairTable *const resting = FindPairTable(manager))
+        resting->cost.NoteList(static_cast<uint32_t>(manager->m_contactCount), counts.awake);
 }
 
 } // namespace bmr

@@ -14,7 +14,6 @@
 #include "base/rounding_mode.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
-#include "start/current_step.h"
 #include "start/install.h"
 #include "start/recognise.h"
 
@@ -33,17 +32,12 @@ inline bool IsOfGame(const b2ContactFilter *filter) {
     return filter != nullptr && filter != FilterOfNewWorlds();
 }
 
-/// Has the world a listener or a filter of the game's?
-inline bool HasCodeOfGame(const b2ContactManager &manager) {
-    return IsOfGame(manager.m_contactListener) || IsOfGame(manager.m_contactFilter);
-}
-
-/// Behind the pass over pairs, ahead of a call of the game's code: what was read before may be another when
-/// it is done.
-inline void BeforeGame(const b2ContactManager *manager) {
-    if (Ledger *ledger = FindLedger(manager))
-        ledger->Owed().BeforeGame();
-    GameRan() = true;
+/// Code of the game ran: has the world left its table? It does so here if contacts were made or ended
+/// unheard.
+inline bool HasLeft(PairTable *table) {
+    if (!table->WasLeft() && !table->IsWhole())
+        LeaveTable(table->Manager());
+    return table->WasLeft();
 }
 
 /// Is the function's first instruction its return? False where the processor's code is not known here.
@@ -97,7 +91,7 @@ inline bool IsActive(const b2Body *body) {
 /// Do the fat boxes of the two still overlap?
 bool BoxesOverlap(b2ContactManager *manager, const b2Contact &contact);
 
-/// What an update changed, for TellListener.
+/// What an update changed, for CallListener.
 struct ContactChange {
     bool touched, touches; ///< before, and behind it
     bool isSensor;         ///< one of the two fixtures is
@@ -105,14 +99,14 @@ struct ContactChange {
 };
 
 /// b2Contact::Update of any contact, but for the calls of the listener: the same manifold, impulses and
-/// flags, and bodies are woken where it wakes them. TellListener comes next.
+/// flags, and bodies are woken where it wakes them. CallListener comes next.
 ContactChange UpdateContact(b2Contact *contact);
 
 /// The calls of b2Contact::Update. `beforeGame()` is called ahead of each one that runs code of the game. Was
 /// there any? `listener`: of the moment ahead of the update. If it replaces itself in BeginContact, PreSolve
 /// is still its own.
 template <typename BeforeGame>
-bool TellListener(b2ContactListener *listener, b2Contact *contact, const ContactChange &change,
+bool CallListener(b2ContactListener *listener, b2Contact *contact, const ContactChange &change,
                   BeforeGame beforeGame) {
     if (listener == nullptr || !(change.touched || change.touches))
         return false;

@@ -71,24 +71,18 @@ private:
 /// The client for which b2BroadPhase::UpdatePairs is instantiated.
 class PairFinder {
 public:
-    explicit PairFinder(b2ContactManager *manager)
-        : m_manager(manager), m_ledger(FollowedLedger()), m_ownPairs(IsOfGame(manager->m_contactFilter)) {}
-
-    /// Are pairs of two fixtures of one body found, too? Only if a game could see that they are left out: a
-    /// filter of its own may step this world in the middle of the loop. Box2D then goes on in the newer
-    /// pairs, at the place that it had reached in the older ones.
-    bool FindsOwnPairs() const { return m_ownPairs; }
+    explicit PairFinder(b2ContactManager *manager) : m_manager(manager), m_table(FollowedTable()) {}
 
     /// Makes a contact of the pair, unless there is one already.
     void Report(const b2FixtureProxy &a, const b2FixtureProxy &b) {
-        if ((m_ownPairs && a.fixture->GetBody() == b.fixture->GetBody()) || Exists(a, b))
+        if (Exists(a, b))
             return;
         const bool ofGame = IsOfGame(m_manager->m_contactFilter);
-        if (ofGame)
-            BeforeGame(m_manager);
+        if (PairTable *const table = ofGame ? FindPairTable(m_manager) : nullptr)
+            table->deferred.BeforeGame();
         const bool passes = PassesFilters(m_manager, a.fixture, b.fixture);
         if (ofGame)
-            m_ledger = FollowedLedger(); // the world may have left the one before
+            m_table = FollowedTable(); // the world may have left the one before
         if (!passes)
             return;
         b2Contact *contact = NewContact::Create(a, b, m_manager->m_allocator);
@@ -97,31 +91,30 @@ public:
         NewContact::Link(contact, &m_manager->m_contactList);
         NewContact::Join(contact);
         ++m_manager->m_contactCount;
-        if (m_ledger != nullptr || m_manager->m_contactCount == CostOfAPass())
-            m_ledger = FollowedLedger();
+        if (m_table != nullptr || m_manager->m_contactCount == CostOfAPass())
+            m_table = FollowedTable();
     }
 
 private:
-    /// The world's ledger with all of its contacts; nullptr where it has none.
-    Ledger *FollowedLedger() const {
-        Ledger *ledger =
-            m_manager->m_contactCount >= CostOfAPass() ? MakeLedger(m_manager) : FindLedger(m_manager);
-        return ledger != nullptr && (ledger->IsWhole() || ledger->CatchUp()) ? ledger : nullptr;
+    /// The world's table with all of its contacts; nullptr where it has none.
+    PairTable *FollowedTable() const {
+        PairTable *table =
+            m_manager->m_contactCount >= CostOfAPass() ? MakePairTable(m_manager) : FindPairTable(m_manager);
+        return table != nullptr && (table->IsWhole() || table->CatchUp()) ? table : nullptr;
     }
 
     bool Exists(const b2FixtureProxy &a, const b2FixtureProxy &b) const {
-        // A filter may have made or ended contacts, where the world is not locked.
-        if (m_ledger == nullptr || m_ledger->GetProxyPairs().HasUnknown() || !m_ledger->IsWhole())
+        // (A filter may have made or ended contacts.)
+        if (m_table == nullptr || m_table->proxyPairs.HasUnknown() || !m_table->IsWhole())
             return NewContact::ExistsInList(a, b);
-        const bool exists = m_ledger->GetProxyPairs().Exists(a.proxyId, b.proxyId);
+        const bool exists = m_table->proxyPairs.Exists(a.proxyId, b.proxyId);
         if (Verifying())
             VerifyExists(*a.fixture, *b.fixture, exists, NewContact::ExistsInList(a, b));
         return exists;
     }
 
     b2ContactManager *m_manager;
-    Ledger *m_ledger;
-    bool m_ownPairs; ///< see FindsOwnPairs
+    PairTable *m_table;
 };
 
 } // namespace
@@ -143,11 +136,9 @@ template <> void b2BroadPhase::UpdatePairs(bmr::PairFinder *finder) {
     };
     bmr::tree::DescentRoom ownRoom;
     bmr::tree::DescentRoom *const kept = bmr::PerThread<bmr::tree::DescentRoom>();
-    bmr::tree::PairDescent(m_tree, finder->FindsOwnPairs(), kept != nullptr ? kept : &ownRoom, keep)
-        .Run(m_moveBuffer, m_moveCount);
+    bmr::tree::PairDescent(m_tree, kept != nullptr ? kept : &ownRoom, keep).Run(m_moveBuffer, m_moveCount);
     if (bmr::Verifying())
-        bmr::VerifyPairs(m_tree, m_moveBuffer, m_moveCount, m_pairBuffer, m_pairCount,
-                         finder->FindsOwnPairs());
+        bmr::VerifyPairs(m_tree, m_moveBuffer, m_moveCount, m_pairBuffer, m_pairCount);
     for (int32 i = 0; i < m_pairCount; ++i) {
         const b2Pair pair = m_pairBuffer[i];
         finder->Report(*static_cast<const b2FixtureProxy *>(m_tree.GetUserData(pair.proxyIdA)),
@@ -162,11 +153,11 @@ template <> void b2BroadPhase::UpdatePairs(bmr::PairFinder *finder) {
 namespace bmr {
 
 void FindNewContacts(b2ContactManager *manager) {
-    DropLedgerOfEmpty(manager);
+    DropPairTableOfEmpty(manager);
     PairFinder finder(manager);
     manager->m_broadPhase.UpdatePairs(&finder);
-    if (Ledger *ledger = FindLedger(manager))
-        ledger->CatchUp();
+    if (PairTable *table = FindPairTable(manager))
+        table->CatchUp();
 }
 
 } // namespace bmr

@@ -6,13 +6,37 @@
 
 #include "base/private_members.h"
 #include "glue/contact_update.h"
+#include "glue/passes.h"
 #include "glue/impacts.h"
-#include "glue/sweeps.h"
 #include "solver/island_solver.h"
-#include "start/box2d_asserts.h"
-#include "start/current_step.h"
 
 namespace bmr {
+
+void Advance(b2Sweep *sweep, float alpha) {
+    const float beta = (alpha - sweep->alpha0) / (1.0f - sweep->alpha0);
+    sweep->c0.x += beta * (sweep->c.x - sweep->c0.x);
+    sweep->c0.y += beta * (sweep->c.y - sweep->c0.y);
+    sweep->a0 += beta * (sweep->a - sweep->a0);
+    sweep->alpha0 = alpha;
+}
+
+void SynchronizeTransform(b2Body *body) {
+    const b2Sweep &sweep = SweepOf(*body);
+    b2Transform &xf = body->*Named(TransformMember());
+    xf.q.s = sinf(sweep.a);
+    xf.q.c = cosf(sweep.a);
+    const b2Vec2 &center = sweep.localCenter;
+    xf.p.x = sweep.c.x - (xf.q.c * center.x - xf.q.s * center.y);
+    xf.p.y = sweep.c.y - (xf.q.s * center.x + xf.q.c * center.y);
+}
+
+void Advance(b2Body *body, float alpha) {
+    b2Sweep &sweep = SweepOf(body);
+    Advance(&sweep, alpha);
+    sweep.c = sweep.c0;
+    sweep.a = sweep.a0;
+    SynchronizeTransform(body);
+}
 
 namespace {
 
@@ -36,11 +60,13 @@ bool IsSolidAndTouches(const b2Contact &contact) {
 /// the pass's first call.
 void ImpactPass::BeforeGame() {
     m_wasGameCalled = true;
-    m_stoppers.BeforeGame();
-    if (m_ledger != nullptr && !m_flagsAreRead)
-        m_ledger->GetMovers().LookAtAllSweeps(m_ledger->CurrentLook());
+    m_candidates.BeforeGame();
+    if (m_table == nullptr)
+        return;
+    if (!m_flagsAreRead)
+        m_table->motions.UpdateAllSweeps(m_table->Stamp());
     m_flagsAreRead = true;
-    bmr::BeforeGame(m_manager);
+    m_table->deferred.BeforeGame();
 }
 
 void ImpactPass::PutBack(b2Body *body, const b2Sweep &sweep) {
@@ -52,22 +78,21 @@ void ImpactPass::PutBack(b2Body *body, const b2Sweep &sweep) {
 /// they were.
 bool ImpactPass::Meet(b2Contact *contact, float time) {
     m_wasGameCalled = false;
-    if (m_ledger != nullptr)
+    if (m_table != nullptr) {
         DoubtBudgets();
-    m_marks.LookAgain();
-    if (Ledger *const ledger = FindLedger(m_manager))
-        ledger->GetBodies().NoteDisplaced();
+        m_table->bodies.NoteDisplaced();
+    }
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
     const b2Sweep sweepA = SweepOf(*a), sweepB = SweepOf(*b);
     Advance(a, time);
     Advance(b, time);
     Update(contact);
-    m_marks.ForgetTime(contact);
-    m_marks.CountImpact(contact);
+    ForgetTime(contact);
+    ++ContactAccess::CountOfImpacts(contact);
     if (!IsSolidAndTouches(*contact)) {
         contact->SetEnabled(false);
-        if (m_ledger != nullptr)
-            m_ledger->Flag(contact, 0);
+        if (m_table != nullptr)
+            m_table->Flag(contact, 0);
         PutBack(a, sweepA);
         PutBack(b, sweepB);
         AfterGame();
@@ -95,15 +120,23 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
 
 /// The world may have left its table: its list is searched from here on.
 void ImpactPass::CheckTable() {
-    if (m_ledger != nullptr && (m_ledger->WasLeft() || !m_ledger->IsWhole()))
-        m_ledger = nullptr;
+    if (m_table != nullptr && HasLeft(m_table))
+        m_table = nullptr;
+}
+
+void ImpactPass::ForgetTime(b2Contact *contact) {
+    const uint32_t i = m_table != nullptr ? m_table->NumberOf(contact) : PairTable::kNone;
+    if (i != PairTable::kNone)
+        m_table->impacts.Forget(i, contact);
+    else
+        ContactAccess::Flags(contact) &= ~ContactAccess::kTimeIsKnown;
 }
 
 /// Ahead of the search for new contacts.
 void ImpactPass::AfterGame() {
     CheckTable();
     if (m_wasGameCalled)
-        m_stoppers.AfterGame();
+        m_candidates.AfterGame();
 }
 
 void ImpactPass::Add(b2Body *body, Island *island) {
@@ -113,7 +146,7 @@ void ImpactPass::Add(b2Body *body, Island *island) {
 }
 
 void ImpactPass::Add(b2Contact *contact, Island *island) {
-    m_marks.PutInIsland(contact);
+    ContactAccess::Flags(contact) |= ContactAccess::kInIsland;
     ++island->contactCount;
     m_solver->Add(contact);
 }
@@ -127,7 +160,7 @@ void ImpactPass::Spread(b2Body *body, float time, Island *island) {
             break;
         b2Contact *const contact = edge->contact;
         b2Body *const other = edge->other;
-        if (m_marks.IsInIsland(contact) ||
+        if ((ContactAccess::Flags(contact) & ContactAccess::kInIsland) != 0 ||
             (other->GetType() == b2_dynamicBody && !body->IsBullet() && !other->IsBullet()) ||
             contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor())
             continue;
@@ -150,7 +183,7 @@ void ImpactPass::Spread(b2Body *body, float time, Island *island) {
 
 /// Ends the island. Pairs of the bodies that it displaced forget their times of impact.
 void ImpactPass::EndIsland(const Island &island) {
-    m_marks.LookAgain(); // PostSolve may have made a step, in which the world got a ledger
+    CheckTable();
     for (int32 i = 0; i < island.bodyCount; ++i) {
         b2Body *const body = island.bodies[i];
         BodyInIsland::Clear(body);
@@ -158,8 +191,8 @@ void ImpactPass::EndIsland(const Island &island) {
             continue;
         (body->*Named(SynchronizeFixtures()))();
         for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
-            m_marks.ForgetTime(edge->contact);
-            m_marks.TakeOutOfIsland(edge->contact);
+            ForgetTime(edge->contact);
+            ContactAccess::Flags(edge->contact) &= ~ContactAccess::kInIsland;
         }
     }
 }
@@ -167,10 +200,9 @@ void ImpactPass::EndIsland(const Island &island) {
 void ImpactPass::FindNewContacts() {
     if (IsOfGame(m_manager->m_contactFilter)) {
         BeforeGame();
-        m_stoppers.Forget();
+        m_candidates.Forget();
     }
-    m_manager->FindNewContacts();
-    m_marks.LookAgain();
+    bmr::FindNewContacts(m_manager);
     CheckTable();
 }
 
@@ -180,19 +212,18 @@ void ImpactPass::Update(b2Contact *contact) {
     const bool wasAwakeA = a->IsAwake(), wasAwakeB = b->IsAwake();
     b2ContactListener *const listener = m_manager->m_contactListener;
     const ContactChange change = UpdateContact(contact);
-    if (Ledger *const ledger = FindLedger(m_manager))
-        ledger->Flag(contact, 0); // it is due in the next step, which reads whether it touches
-    TellListener(listener, contact, change, [this] { BeforeGame(); });
-    m_marks.LookAgain();
+    if (m_table != nullptr)
+        m_table->Flag(contact, 0); // it is due in the next step, which reads whether it touches
+    CallListener(listener, contact, change, [this] { BeforeGame(); });
     CheckTable();
-    const uint32_t i = m_ledger != nullptr ? m_ledger->NumberOf(contact) : Ledger::kNone;
-    if (i == Ledger::kNone)
+    const uint32_t i = m_table != nullptr ? m_table->NumberOf(contact) : PairTable::kNone;
+    if (i == PairTable::kNone)
         return;
-    m_ledger->Owed().NoteLookedAt(i);
-    if (!m_ledger->GetMarks().known.Has(i))
-        m_ledger->GetMarks().asked.Set(i);
-    else if (m_ledger->GetMarks().parked.Has(i))
-        Queue(i);
+    m_table->deferred.NoteUpdated(i);
+    if (!m_table->impacts.IsKnown(i, contact))
+        m_table->impacts.asked.Set(i);
+    else if (m_table->impacts.parked.Has(i))
+        Queue(i, ContactAccess::TimeOfImpact(contact));
     if (!wasAwakeA && a->IsAwake())
         AskPairsOf(a);
     if (!wasAwakeB && b->IsAwake())
@@ -207,13 +238,12 @@ void ImpactPass::Wake(b2Body *body) {
 }
 
 void ImpactPass::AskPairsOf(const b2Body *body) {
-    if (m_ledger == nullptr)
+    if (m_table == nullptr)
         return;
-    Marks &marks = m_ledger->GetMarks();
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
-        const uint32_t i = m_ledger->NumberOf(edge->contact);
-        if (i != Ledger::kNone && !marks.known.Has(i))
-            marks.asked.Set(i);
+        const uint32_t i = m_table->NumberOf(edge->contact);
+        if (i != PairTable::kNone && !m_table->impacts.IsKnown(i, edge->contact))
+            m_table->impacts.asked.Set(i);
     }
 }
 
@@ -225,45 +255,25 @@ void ImpactPass::ReadWhatGameDid() {
     if (!m_wasGameCalled)
         return;
     CheckTable();
-    if (m_ledger == nullptr)
+    if (m_table == nullptr)
         return;
-    Marks &marks = m_ledger->GetMarks();
-    Movers &movers = m_ledger->GetMovers();
-    for (uint32_t row = movers.NextNewSweep(0); row != Movers::kNone; row = movers.NextNewSweep(row + 1))
-        AskPairsOf(movers[row].body);
-    for (uint32_t word = 0; word < marks.parked.Words(); ++word)
-        for (uint64_t left = marks.parked.Word(word); left != 0; left &= left - 1) {
+    ImpactTimes &impacts = m_table->impacts;
+    FixtureMotions &motions = m_table->motions;
+    for (uint32_t row = motions.NextChangedSweep(0); row != FixtureMotions::kNone;
+         row = motions.NextChangedSweep(row + 1))
+        AskPairsOf(motions[row].body);
+    for (uint32_t word = 0; word < impacts.parked.Words(); ++word)
+        for (uint64_t left = impacts.parked.Word(word); left != 0; left &= left - 1) {
             const uint32_t i = word * 64 + LowestBit(left);
-            if (i >= m_ledger->Count() || m_ledger->Contact(i) == nullptr ||
-                !m_ledger->Contact(i)->IsEnabled())
+            b2Contact *const contact = i < m_table->Count() ? m_table->Contact(i) : nullptr;
+            if (contact == nullptr || !contact->IsEnabled())
                 continue;
-            marks.parked.Clear(i);
-            if (!marks.known.Has(i))
-                marks.asked.Set(i);
+            impacts.parked.Clear(i);
+            if (!impacts.IsKnown(i, contact))
+                impacts.asked.Set(i);
             else
-                Queue(i);
+                Queue(i, ContactAccess::TimeOfImpact(contact));
         }
-}
-
-/// From the marks alone: known times are in the heap, all others of who is awake are asked.
-void ImpactPass::Rebuild() {
-    m_ledger->TakeMarks();
-    Marks &marks = m_ledger->GetMarks();
-    m_budgetsDoubted = true; // what is known by now stays so
-    marks.heapCount = 0;
-    marks.parked.ClearAll();
-    marks.asked.ClearAll();
-    if (m_gameRan)
-        m_ledger->GetMovers().LookAtAllSweeps(m_ledger->CurrentLook());
-    for (uint32_t i = 0; m_ledger != nullptr && i < m_ledger->Count(); ++i) {
-        if (m_ledger->Contact(i) == nullptr)
-            continue;
-        if (m_gameRan ? m_ledger->WatchIfAwake(i) : m_ledger->IsWatched(i))
-            marks.asked.Set(i);
-        EnableIfOwed(i); // the game may have disabled it meanwhile
-        if (marks.known.Has(i))
-            Queue(i);
-    }
 }
 
 } // namespace bmr

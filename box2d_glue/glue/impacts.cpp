@@ -12,11 +12,8 @@
 #include "glue/contacts/solid_contact.h"
 #include "glue/proofs/convex_distance.h"
 #include "glue/proofs/sweep_apart.h"
-#include "glue/sweeps.h"
 #include "shapes/convex_geometry.h"
 #include "solver/island_solver.h"
-#include "start/box2d_asserts.h"
-#include "start/current_step.h"
 #include "start/settings.h"
 
 namespace bmr {
@@ -32,30 +29,26 @@ b2Body *BodyB(b2Contact *contact) {
 }
 
 /// May Box2D ask for the time of its impact, if one of the two is awake? Only code of the game changes that.
-inline bool MayStop(b2Contact *contact) {
+inline bool MayHaveToi(b2Contact *contact) {
     return !contact->GetFixtureA()->IsSensor() && !contact->GetFixtureB()->IsSensor() &&
-           (Stops(BodyA(contact)) || Stops(BodyB(contact)));
+           (IsBulletOrStatic(BodyA(contact)) || IsBulletOrStatic(BodyB(contact)));
 }
 
 /// Does it?
 inline bool MayImpact(b2Contact *contact) {
-    return MayStop(contact) && (IsActive(BodyA(contact)) || IsActive(BodyB(contact)));
+    return MayHaveToi(contact) && (IsActive(BodyA(contact)) || IsActive(BodyB(contact)));
 }
 
 } // namespace
 
 // The contacts that may have an impact.
 
-bool Stops(const b2Body *body) {
-    return body->IsBullet() || body->GetType() != b2_dynamicBody;
-}
-
 /// (New contacts come at the head of the list.)
-bool Stoppers::AreKnown() const {
+bool ToiCandidates::AreKnown() const {
     return m_known && m_world->GetContactManager().m_contactList == m_newest;
 }
 
-void Stoppers::Begin() {
+void ToiCandidates::Begin() {
     const b2ContactManager &manager = m_world->GetContactManager();
     m_known = true;
     m_room->Reserve(static_cast<uint32_t>(manager.m_contactCount));
@@ -63,24 +56,23 @@ void Stoppers::Begin() {
     m_count = 0;
     m_contactCount = manager.m_contactCount;
     m_newest = manager.m_contactList;
-    m_step = LatestStep();
 }
 
-void Stoppers::BeforeGame() {
+void ToiCandidates::BeforeGame() {
     if (m_known && !m_hasDigest)
         m_digest = Digest();
     m_hasDigest = true;
 }
 
-void Stoppers::AfterGame() {
+void ToiCandidates::AfterGame() {
     const b2ContactManager &manager = m_world->GetContactManager();
-    m_known = m_known && m_world->IsLocked() && LatestStep() == m_step &&
-              manager.m_contactCount == m_contactCount && Digest() == m_digest;
+    m_known =
+        m_known && m_world->IsLocked() && manager.m_contactCount == m_contactCount && Digest() == m_digest;
 }
 
 /// Who is a bullet, and which fixtures are sensors. Two different answers have the same digest with a
 /// probability of 2^-64.
-uint64_t Stoppers::Digest() const {
+uint64_t ToiCandidates::Digest() const {
     uint64_t digest = 1;
     const auto add = [&digest](bool is) {
         digest = (digest ^ (is ? 1 : 2)) * 0x9e3779b97f4a7c15u;
@@ -97,50 +89,40 @@ uint64_t Stoppers::Digest() const {
 
 // The pass.
 
-ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
+ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
-      m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
-      m_marks(m_manager), m_stoppers(world, &solver->Room().stoppers), m_gameRan(GameRan()),
-      m_flagsAreRead(m_gameRan) {
+      m_solver(solver), m_listener(m_manager->m_contactListener),
+      m_table(table != nullptr && !HasLeft(table) ? table : nullptr),
+      m_candidates(world, &solver->Room().toiCandidates),
+      m_gameRan(m_table != nullptr && m_table->deferred.GameRan()), m_flagsAreRead(m_gameRan) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
 }
 
-/// Does the ledger know all pairs, and what this step did to them?
-bool ImpactPass::MayUseHeap() const {
-    return m_ledger != nullptr && m_ledger->IsLookedAtIn(CurrentStep()) && m_ledger->IsWhole();
-}
-
 void ImpactPass::Run() {
     bool &stepComplete = m_world->*Named(StepComplete());
-    if (MayUseHeap())
-        m_pass.emplace(m_ledger);
-    else
-        m_ledger = nullptr;
     if (stepComplete)
         BeginStep();
-    else if (m_ledger != nullptr)
-        Rebuild();
     for (;;) {
         float time = 1.0f;
-        b2Contact *const contact = m_ledger != nullptr ? Earliest(&time) : EarliestInList(&time);
+        b2Contact *const contact = m_table != nullptr ? Earliest(&time) : EarliestInList(&time);
         m_scan = nullptr;
         if (contact == nullptr || 1.0f - 10.0f * b2_epsilon < time) {
             stepComplete = true;
             break;
         }
-        if (Ledger *const ledger = FindLedger(m_manager))
-            ledger->NoteSearch();
+        if (PairTable *const table = FindPairTable(m_manager))
+            table->cost.NoteSearch();
         const bool met = Meet(contact, time);
-        if (m_ledger != nullptr)
+        if (m_table != nullptr)
             ReadWhatGameDid();
         if (met && m_world->GetSubStepping()) {
-            stepComplete = false;
+            stepComplete = false; // the next steps go on with this one's impacts, by Box2D's list
+            if (m_table != nullptr)
+                m_table->GiveMarksBack();
             break;
         }
     }
-    if (m_pass.has_value())
-        m_pass->Complete();
 }
 
 // The beginning of a step.
@@ -148,26 +130,22 @@ void ImpactPass::Run() {
 void ImpactPass::BeginStep() {
     BeginBodies();
     m_scan = RoundsToNearest() ? ImpactScan::Begin() : nullptr;
-    if (m_ledger == nullptr) {
-        for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext())
-            m_marks.ForgetImpact(contact);
+    if (m_table != nullptr) {
+        SearchByTable();
         return;
     }
-    Marks &marks = m_ledger->GetMarks();
-    const bool islandsAreOurs = marks.areHere;
-    marks.areHere = true; // all of them are forgotten
-    marks.ForgetImpacts();
-    SearchByLedger(m_gameRan || !islandsAreOurs);
+    for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext())
+        ClearImpactMarks(contact);
 }
 
 /// All bodies are at the beginning of their sweeps, and in no island.
 void ImpactPass::BeginBodies() {
-    Bodies *const bodies = m_ledger != nullptr ? &m_ledger->GetBodies() : nullptr;
+    Bodies *const bodies = m_table != nullptr ? &m_table->bodies : nullptr;
     const auto begin = [](b2Body *body) {
         BodyInIsland::Clear(body);
         SweepOf(body).alpha0 = 0.0f;
     };
-    if (bodies != nullptr && bodies->AreAlone(CurrentStep()) && !bodies->MayBeDisplaced()) {
+    if (bodies != nullptr && bodies->AreAlone() && !bodies->MayBeDisplaced()) {
         for (uint32_t i = 0; i < bodies->AwakeCount(); ++i)
             begin(bodies->Awake(i));
         return;
@@ -178,109 +156,109 @@ void ImpactPass::BeginBodies() {
         bodies->NotePutBack();
 }
 
-// The first search of a step, by the ledger.
+// The first search of a step, by the table.
 
-/// Looks at `all` pairs, or at those that are watched. (IslandPass watches every pair of a body that it
-/// wakes. Code of the game and Box2D's b2World::Solve wake bodies otherwise.)
-void ImpactPass::SearchByLedger(bool all) {
-    m_ledger->BeginSearch(m_gameRan);
-    for (uint32_t word = m_ledger->Count() / 64 + 1; word-- > 0;) {
-        uint64_t left = m_ledger->ToSearch(word, all);
-        while (left != 0) {
+/// (IslandPass awakens every pair of a body that it wakes.)
+void ImpactPass::SearchByTable() {
+    ImpactTimes &impacts = m_table->impacts;
+    if (impacts.areKnown)
+        for (uint32_t word = 0; word < impacts.marked.Words(); ++word)
+            for (uint64_t left = impacts.marked.Word(word); left != 0; left &= left - 1) {
+                const uint32_t i = word * 64 + LowestBit(left);
+                if (i < m_table->Count() && m_table->Contact(i) != nullptr)
+                    ClearImpactMarks(m_table->Contact(i));
+            }
+    else
+        for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext())
+            ClearImpactMarks(contact);
+    impacts.ForgetAll();
+    m_table->BeginSearch();
+    for (uint32_t word = m_table->Count() / 64 + 1; word-- > 0;)
+        for (uint64_t left = m_table->ToSearch(word); left != 0;) {
             const uint32_t bit = HighestBit(left), i = word * 64 + bit;
             left &= ~(uint64_t{1} << bit);
-            if (i >= m_ledger->Count() || m_ledger->Contact(i) == nullptr)
-                continue;
-            if (!m_ledger->LookForImpact(i))
-                continue;
-            SearchPair(i);
+            if (i < m_table->Count() && m_table->Contact(i) != nullptr && m_table->MayImpact(i))
+                SearchPair(i);
         }
-    }
 }
 
 void ImpactPass::SearchPair(uint32_t i) {
-    Marks &marks = m_ledger->GetMarks();
-    b2Contact *const contact = m_ledger->Contact(i);
-    if (m_ledger->OutlastsSweeps(i)) {
-        marks.known.Set(i); // and its time is 1
+    if (m_table->OutlastsSweeps(i)) {
+        m_table->impacts.passed.Set(i);
         return;
     }
-    EnableIfOwed(i);
-    if (!contact->IsEnabled()) {
-        marks.known.Clear(i);
-        marks.parked.Set(i);
-    } else if (MayImpact(contact)) {
-        FindTime(contact);
-        Queue(i);
-    }
+    b2Contact *const contact = m_table->Contact(i);
+    EnableIfDeferred(i);
+    if (!contact->IsEnabled())
+        m_table->impacts.parked.Set(i);
+    else if (MayImpact(contact))
+        Queue(i, FindTime(contact));
 }
 
-/// Ahead of the first impact, where the game may have disabled contacts: a budget knows nothing of that.
+/// Ahead of the first impact, where the game may have disabled contacts: a deadline knows nothing of that.
 void ImpactPass::DoubtBudgets() {
     if (m_budgetsDoubted || !m_gameRan)
         return;
     m_budgetsDoubted = true;
-    Marks &marks = m_ledger->GetMarks();
-    for (uint32_t i = 0; i < m_ledger->Count(); ++i)
-        if (m_ledger->Contact(i) != nullptr && marks.known.Has(i) && !marks.met.Has(i) &&
-            !m_ledger->Contact(i)->IsEnabled()) {
-            marks.known.Clear(i);
-            marks.parked.Set(i);
+    ImpactTimes &impacts = m_table->impacts;
+    for (uint32_t i = 0; i < m_table->Count(); ++i)
+        if (m_table->Contact(i) != nullptr && impacts.passed.Has(i) && !m_table->Contact(i)->IsEnabled()) {
+            impacts.passed.Clear(i);
+            impacts.parked.Set(i);
         }
 }
 
-// Later searches, by the ledger.
+// Later searches, by the table.
 
 /// Box2D enabled it, if it was active, before the first search.
-void ImpactPass::EnableIfOwed(uint32_t i) {
-    m_ledger->Owed().EnableIfOwed(i);
-    m_ledger->Owed().NoteLookedAt(i);
+void ImpactPass::EnableIfDeferred(uint32_t i) {
+    m_table->deferred.EnableIfDeferred(i);
+    m_table->deferred.NoteUpdated(i);
 }
 
 void ImpactPass::AskAgain() {
-    Marks &marks = m_ledger->GetMarks();
-    for (uint32_t word = m_ledger->Count() / 64 + 1; word-- > 0;)
-        while (word < marks.asked.Words() && marks.asked.Word(word) != 0) {
-            const uint32_t i = word * 64 + HighestBit(marks.asked.Word(word));
-            marks.asked.Clear(i);
-            if (i < m_ledger->Count() && m_ledger->Contact(i) != nullptr && !marks.known.Has(i))
+    ImpactTimes &impacts = m_table->impacts;
+    for (uint32_t word = m_table->Count() / 64 + 1; word-- > 0;)
+        while (word < impacts.asked.Words() && impacts.asked.Word(word) != 0) {
+            const uint32_t i = word * 64 + HighestBit(impacts.asked.Word(word));
+            impacts.asked.Clear(i);
+            b2Contact *const contact = i < m_table->Count() ? m_table->Contact(i) : nullptr;
+            if (contact != nullptr && !impacts.IsKnown(i, contact))
                 Ask(i);
         }
 }
 
 void ImpactPass::Ask(uint32_t i) {
-    b2Contact *const contact = m_ledger->Contact(i);
-    EnableIfOwed(i);
+    b2Contact *const contact = m_table->Contact(i);
+    EnableIfDeferred(i);
     if (!contact->IsEnabled())
-        m_ledger->GetMarks().parked.Set(i);
-    else if (m_ledger->GetMarks().CountOf(i) <= b2_maxSubSteps && MayImpact(contact)) {
-        FindTime(contact);
-        Queue(i);
-    }
+        m_table->impacts.parked.Set(i);
+    else if (ContactAccess::CountOfImpacts(contact) <= b2_maxSubSteps && MayImpact(contact))
+        Queue(i, FindTime(contact));
 }
 
-/// A pair whose time is known.
-void ImpactPass::Queue(uint32_t i) {
-    Marks &marks = m_ledger->GetMarks();
-    const float time = marks.Time(i);
+/// A pair whose time was found, and stands in the contact.
+void ImpactPass::Queue(uint32_t i, float time) {
+    m_table->impacts.marked.Set(i);
     if (time < 1.0f)
-        marks.Push(i, time);
+        m_table->impacts.Push(i, time);
 }
 
 b2Contact *ImpactPass::Earliest(float *time) {
     AskAgain();
-    while (m_ledger->GetMarks().heapCount > 0) {
-        Marks &marks = m_ledger->GetMarks();
-        const Marks::Impact first = marks.heap[0];
-        b2Contact *const contact = m_ledger->Contact(first.number);
-        if (contact != nullptr && marks.known.Has(first.number) && marks.Time(first.number) == first.time) {
+    ImpactTimes &impacts = m_table->impacts;
+    while (impacts.heapCount > 0) {
+        const ImpactTimes::Impact first = impacts.heap[0];
+        b2Contact *const contact = m_table->Contact(first.number);
+        if (contact != nullptr && (ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) != 0 &&
+            ContactAccess::TimeOfImpact(contact) == first.time) {
             if (contact->IsEnabled()) {
                 *time = first.time;
                 return contact;
             }
-            marks.parked.Set(first.number);
+            impacts.parked.Set(first.number);
         }
-        marks.Pop();
+        impacts.Pop();
     }
     return nullptr;
 }
@@ -289,23 +267,17 @@ b2Contact *ImpactPass::Earliest(float *time) {
 
 b2Contact *ImpactPass::EarliestInList(float *time) {
     b2Contact *earliest = nullptr;
-    if (Ledger *const ledger = FindLedger(m_manager)) { // marks and flags are read where the contacts are
-        if (ledger->IsLookedAtIn(CurrentStep()))
-            ledger->Owed().EnableDownTo(0);
-        ledger->GiveMarksBack();
-    }
-    m_marks.LookAgain();
-    if (m_stoppers.AreKnown()) {
-        for (uint32_t i = 0; i < m_stoppers.Count(); ++i)
-            if (IsEarlier(m_stoppers[i], time))
-                earliest = m_stoppers[i];
+    if (m_candidates.AreKnown()) {
+        for (uint32_t i = 0; i < m_candidates.Count(); ++i)
+            if (IsEarlier(m_candidates[i], time))
+                earliest = m_candidates[i];
         return earliest;
     }
-    m_stoppers.Begin();
+    m_candidates.Begin();
     for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext()) {
-        if ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0 && !MayStop(contact))
+        if ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0 && !MayHaveToi(contact))
             continue;
-        m_stoppers.Add(contact);
+        m_candidates.Add(contact);
         if (IsEarlier(contact, time))
             earliest = contact;
     }
@@ -328,7 +300,7 @@ bool ImpactPass::IsEarlier(b2Contact *contact, float *time) {
     return true;
 }
 
-void ImpactPass::FindTime(b2Contact *contact) {
+float ImpactPass::FindTime(b2Contact *contact) {
     b2Body *const a = BodyA(contact), *const b = BodyB(contact);
     // Both sweeps go on from the same time.
     b2Sweep &sweepA = SweepOf(a), &sweepB = SweepOf(b);
@@ -337,8 +309,10 @@ void ImpactPass::FindTime(b2Contact *contact) {
         Advance(&sweepA, from);
     else if (sweepB.alpha0 < sweepA.alpha0)
         Advance(&sweepB, from);
-    BMR_BOX2D_ASSERTS(from < 1.0f, "alpha0 < 1.0f");
-    m_marks.SetTime(contact, TimeOf(contact, from));
+    const float time = TimeOf(contact, from);
+    ContactAccess::TimeOfImpact(contact) = time;
+    ContactAccess::Flags(contact) |= ContactAccess::kTimeIsKnown;
+    return time;
 }
 
 float ImpactPass::TimeOf(b2Contact *contact, float from) {
@@ -379,6 +353,10 @@ bool ImpactPass::IsProvedApart(const b2Contact &contact, b2TOIInput *input) {
     if (apart)
         Count(&Counts::toiAnswered);
     return apart;
+}
+
+void SolveImpacts(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table) {
+    ImpactPass(world, step, solver, table).Run();
 }
 
 } // namespace bmr

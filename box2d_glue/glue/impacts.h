@@ -3,33 +3,37 @@
 #define BOOMERANG_GLUE_IMPACTS_H
 
 #include <cstdint>
-#include <optional>
 
 #include <box2d/b2_settings.h>
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
 #include "base/columns.h"
-#include "glue/pairs/contact_marks.h"
 #include "glue/pairs/pair_table.h"
 
 struct b2TOIInput;
 
 namespace bmr {
 
+// Box2D's functions of these names, with the same bits.
+void Advance(b2Sweep *sweep, float alpha);
+void Advance(b2Body *body, float alpha);
+void SynchronizeTransform(b2Body *body);
+
 class ImpactScan;
 class IslandSolver;
 
-/// Is nothing to tunnel through it?
-bool Stops(const b2Body *body);
+inline bool IsBulletOrStatic(const b2Body *body) {
+    return body->IsBullet() || body->GetType() != b2_dynamicBody;
+}
 
 /// The contacts of the world's list that may have an impact, if one of their bodies is awake. The first
-/// search of the list in a step writes them down, and later ones look at these: in a pile they are one in
-/// a hundred.
-class Stoppers {
+/// search of the list in a step writes them down, and later ones read these: in a pile they are one in a
+/// hundred.
+class ToiCandidates {
 public:
     /// `room` is where they are written down.
-    Stoppers(const b2World *world, Column<b2Contact *> *room) : m_world(world), m_room(room) {}
+    ToiCandidates(const b2World *world, Column<b2Contact *> *room) : m_world(world), m_room(room) {}
 
     /// False where the list is to be searched.
     bool AreKnown() const;
@@ -44,7 +48,7 @@ public:
     }
 
     // The world is locked while listeners are called in an impact: they can make bullets and sensors. A step
-    // inside this one unlocks it, unless an exception ends that step.
+    // inside this one unlocks it.
     void BeforeGame();
     /// Ahead of the search for new contacts.
     void AfterGame();
@@ -58,40 +62,33 @@ private:
     bool m_known = false, m_hasDigest = false;
     uint32_t m_count = 0;
     int32_t m_contactCount = 0;
-    uint64_t m_step = 0; ///< LatestStep, as the search began
     const b2Contact *m_newest = nullptr;
     uint64_t m_digest = 0;
 };
 
-/// b2World::SolveTOI: finds the first impact of what is left of the step, lets the bodies of its island meet,
-/// and begins again, until there is none.
-///
-/// In a world with a ledger the times of impact that are known stand in a heap (Marks), and after an impact
-/// those pairs alone are asked that Box2D would ask again. In other worlds Box2D's list is searched, and
-/// after that its Stoppers. Either way a pair that is proved apart over its whole motion is not asked.
+/// SolveImpacts (passes.h).
 class ImpactPass {
 public:
-    ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver);
+    ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table);
 
     void Run();
 
 private:
-    bool MayUseHeap() const;
     void BeginStep();
     void BeginBodies();
 
-    void SearchByLedger(bool all);
+    void SearchByTable();
     void SearchPair(uint32_t i);
     void DoubtBudgets();
-    void EnableIfOwed(uint32_t i);
+    void EnableIfDeferred(uint32_t i);
     void AskAgain();
     void Ask(uint32_t i);
-    void Queue(uint32_t i);
+    void Queue(uint32_t i, float time);
     b2Contact *Earliest(float *time);
 
     b2Contact *EarliestInList(float *time);
     bool IsEarlier(b2Contact *contact, float *time);
-    void FindTime(b2Contact *contact);
+    float FindTime(b2Contact *contact);
     float TimeOf(b2Contact *contact, float from);
     static void FillInput(const b2Contact &contact, b2TOIInput *input);
     bool IsProvedApart(const b2Contact &contact, b2TOIInput *input);
@@ -112,24 +109,22 @@ private:
     void BeforeGame();
     void AfterGame();
     void CheckTable();
+    void ForgetTime(b2Contact *contact);
     void Wake(b2Body *body);
     void AskPairsOf(const b2Body *body);
     void ReadWhatGameDid();
-    void Rebuild();
 
     b2World *m_world;
     b2ContactManager *m_manager;
     const b2TimeStep &m_step;
     IslandSolver *m_solver;
     b2ContactListener *m_listener; ///< its PostSolve is called, unless it is nullptr
-    Ledger *m_ledger;              ///< nullptr: Box2D's list is searched
-    std::optional<Ledger::Pass> m_pass;
-    ContactMarks m_marks;
-    Stoppers m_stoppers;
+    PairTable *m_table;            ///< nullptr: Box2D's list is searched
+    ToiCandidates m_candidates;
     ImpactScan *m_scan = nullptr; ///< while nothing has moved
-    bool m_gameRan;               ///< ahead of the first search; and it may have changed more than motion
+    bool m_gameRan;               ///< ahead of the first search, and it may have changed more than motion
     bool m_wasGameCalled = false; ///< since the impact began
-    bool m_flagsAreRead;          ///< of all movers, ahead of the pass's first call
+    bool m_flagsAreRead;          ///< of all motions, ahead of the pass's first call
     bool m_budgetsDoubted = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "glue/islands.h"
+#include "glue/passes.h"
 
 #include <chrono>
 
@@ -9,9 +9,8 @@
 #include <box2d/b2_joint.h>
 
 #include "glue/contact_update.h"
-#include "start/box2d_asserts.h"
-#include "start/current_step.h"
-#include "start/settings.h"
+#include "glue/pairs/pair_table.h"
+#include "solver/island_solver.h"
 
 namespace bmr {
 
@@ -35,35 +34,71 @@ int32 &LinkOf(b2Body *body) {
 constexpr int32 kLinked = 1 << 30;  ///< this bit is set where LinkOf is the number of a link
 constexpr int32 kSlept = INT32_MIN; ///< and this one where the body slept when contacts were linked
 
-} // namespace
+class IslandPass {
+public:
+    IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table);
+    void Run();
 
-IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver)
+private:
+    void SolveIslands(b2Profile *profile);
+    void ClearFlags();
+    bool Link();
+    void LinkTo(b2Body *body, b2Contact *contact, b2Body *other);
+
+    b2Body *FirstSeed();
+    b2Body *NextSeed(const b2Body *seed);
+    void BuildIsland(b2Body *seed);
+    void Take(b2Body *body);
+    void Take(b2Contact *contact, b2Body *other);
+    void WakeInIsland(b2Body *body);
+    void TakeJoints(const b2Body *body);
+    void Push(b2Body *body);
+    void SolveIsland();
+    void AfterGame();
+    void MakeRoom();
+    void Synchronize();
+    void PutPlaceBack(b2Body *body);
+    void Follow(b2Body *body);
+
+    b2World *m_world;
+    b2ContactManager *m_manager;
+    const b2TimeStep &m_step;
+    IslandSolver *m_solver;
+    b2ContactListener *m_listener; ///< its PostSolve is called, unless it is nullptr
+    PairTable *m_table;            ///< nullptr: the world has none, or has left it
+    IslandRoom &m_room;
+    uint32_t m_stackCount = 0, m_linkCount = 0;
+    uint32_t m_seed = 0;
+    bool m_mayLink = false;       ///< no gear joint reads the places of bodies in islands
+    bool m_isLinked = false;      ///< the links are all contacts that touch of bodies that are awake
+    bool m_seedsAreAwake = false; ///< they are Bodies::Awake
+    bool m_awakeAlone = false;    ///< only bodies of Bodies::Awake are in islands
+    bool m_gameWasCalled = false; ///< PostSolve; and contacts were enabled ahead of it
+    int32 m_bodyCount, m_contactCount, m_jointCount; ///< of the world, that there is room for
+};
+
+IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
-      m_solver(solver), m_listener(m_manager->m_contactListener), m_ledger(FindLedger(m_manager)),
-      m_marks(m_manager), m_room(solver->Room()), m_newest(m_manager->m_contactList),
-      m_contactCount(m_manager->m_contactCount), m_latest(LatestStep()) {
+      m_solver(solver), m_listener(m_manager->m_contactListener),
+      m_table(table != nullptr && !HasLeft(table) ? table : nullptr), m_room(solver->Room()),
+      m_bodyCount(world->GetBodyCount()), m_contactCount(world->GetContactCount()),
+      m_jointCount(world->GetJointCount()) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
-    if (m_ledger != nullptr && (!m_ledger->IsLookedAtIn(CurrentStep()) || !m_ledger->IsWhole()))
-        m_ledger = nullptr;
-    if (m_ledger != nullptr)
-        m_pass.emplace(m_ledger);
 }
 
 void IslandPass::Run() {
     b2Profile &profile = m_world->*Named(Profile());
     profile.solveInit = profile.solveVelocity = profile.solvePosition = 0.0f;
     ClearFlags();
-    if (m_ledger != nullptr)
+    if (m_table != nullptr)
         m_isLinked = m_mayLink && Link();
     SolveIslands(&profile);
     const auto start = std::chrono::steady_clock::now();
     Synchronize();
-    m_manager->FindNewContacts();
+    FindNewContacts(m_manager);
     profile.broadphase =
         std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count();
-    if (m_pass.has_value())
-        m_pass->Complete();
 }
 
 void IslandPass::SolveIslands(b2Profile *profile) {
@@ -82,9 +117,9 @@ void IslandPass::ClearFlags() {
     }
     m_mayLink = !hasGear;
     // (Where Bodies finds who is awake it has put all bodies out of islands.)
-    m_awakeAlone = m_ledger != nullptr && m_mayLink &&
-                   m_ledger->GetBodies().Follow(m_world->GetBodyList(), m_world->GetBodyCount()) &&
-                   m_ledger->GetBodies().FindAwake();
+    m_awakeAlone = m_table != nullptr && m_mayLink &&
+                   m_table->bodies.Follow(m_world->GetBodyList(), m_world->GetBodyCount()) &&
+                   m_table->bodies.FindAwake();
     for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         BodyInIsland::Clear(body);
@@ -92,28 +127,25 @@ void IslandPass::ClearFlags() {
         if (m_mayLink && body->GetType() != b2_staticBody && !body->IsAwake())
             LinkOf(body) |= kSlept;
     }
-    for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
-        LinkOf(m_ledger->GetBodies().Awake(i)) &= ~(kSlept | kLinked);
-    if (m_ledger != nullptr) {
-        m_ledger->TakeMarks();
-        m_ledger->GetMarks().inIsland.ClearAll();
-    } else {
-        for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext())
-            m_marks.TakeOutOfIsland(contact);
-    }
+    for (uint32_t i = 0; m_awakeAlone && i < m_table->bodies.AwakeCount(); ++i)
+        LinkOf(m_table->bodies.Awake(i)) &= ~(kSlept | kLinked);
+    // (By a table each island clears the marks of its contacts.)
+    for (b2Contact *contact = m_table != nullptr ? nullptr : m_manager->m_contactList; contact != nullptr;
+         contact = contact->GetNext())
+        ContactAccess::Flags(contact) &= ~ContactAccess::kInIsland;
 }
 
 // Links.
 
 /// False where it does not pay: islands are built from the lists of bodies.
 bool IslandPass::Link() {
-    const uint32_t most = m_ledger->Count() / kMostTouchingOf;
+    const uint32_t most = m_table->Count() / kMostTouchingOf;
     Column<uint32_t> &touching = m_room.touching;
     uint32_t count = 0;
-    for (uint32_t word = m_ledger->Count() / 64 + 1; word-- > 0;) {
-        uint64_t left = m_ledger->TouchingOf(word);
-        if (!GameRan()) // or the game may have woken who is not watched
-            left &= m_ledger->WatchedOf(word);
+    for (uint32_t word = m_table->Count() / 64 + 1; word-- > 0;) {
+        uint64_t left = m_table->TouchingOf(word);
+        if (!m_table->deferred.GameRan()) // or the game may have woken bodies of pairs that sleep
+            left &= m_table->AwakeOf(word);
         const uint32_t more = CountBits(left);
         if (count + more > most)
             return false;
@@ -123,7 +155,7 @@ bool IslandPass::Link() {
     }
     m_room.links.Reserve(2 * count + 1);
     while (count-- > 0) { // from the oldest on, each at the head of its lists, as when they were made
-        b2Contact *const contact = m_ledger->Contact(touching[count]);
+        b2Contact *const contact = m_table->Contact(touching[count]);
         b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
         LinkTo(a, contact, b);
         LinkTo(b, contact, a);
@@ -144,16 +176,16 @@ void IslandPass::LinkTo(b2Body *body, b2Contact *contact, b2Body *other) {
 // Islands.
 
 b2Body *IslandPass::FirstSeed() {
-    m_seedsAreAwake = m_awakeAlone && m_ledger != nullptr;
+    m_seedsAreAwake = m_awakeAlone && m_table != nullptr;
     if (!m_seedsAreAwake)
         return m_world->GetBodyList();
-    return m_ledger->GetBodies().AwakeCount() > 0 ? m_ledger->GetBodies().Awake(0) : nullptr;
+    return m_table->bodies.AwakeCount() > 0 ? m_table->bodies.Awake(0) : nullptr;
 }
 
 b2Body *IslandPass::NextSeed(const b2Body *seed) {
     if (!m_seedsAreAwake)
         return seed->*Named(NextBody());
-    return ++m_seed < m_ledger->GetBodies().AwakeCount() ? m_ledger->GetBodies().Awake(m_seed) : nullptr;
+    return ++m_seed < m_table->bodies.AwakeCount() ? m_table->bodies.Awake(m_seed) : nullptr;
 }
 
 void IslandPass::BuildIsland(b2Body *seed) {
@@ -170,9 +202,7 @@ void IslandPass::Push(b2Body *body) {
 
 /// The next body of the island. Islands do not go on across static bodies.
 void IslandPass::Take(b2Body *body) {
-    BMR_BOX2D_ASSERTS(body->IsEnabled(), "b->IsEnabled() == true");
     const int32 first = LinkOf(body);
-    MakeRoom();
     m_solver->Add(body);
     if (body->GetType() == b2_staticBody)
         return;
@@ -194,17 +224,17 @@ void IslandPass::WakeInIsland(b2Body *body) {
     uint16 &flags = body->*Named(BodyFlags());
     flags = static_cast<uint16>(flags | BodyInIsland::kAwake);
     m_awakeAlone = false;
-    if (m_ledger != nullptr)
-        m_ledger->WatchPairsOf(body);
+    if (m_table != nullptr)
+        m_table->AwakenPassed(body);
 }
 
 void IslandPass::Take(b2Contact *contact, b2Body *other) {
-    if (m_marks.IsInIsland(contact) || !contact->IsEnabled() || !contact->IsTouching() ||
+    uint32 &flags = ContactAccess::Flags(contact);
+    if ((flags & ContactAccess::kInIsland) != 0 || !contact->IsEnabled() || !contact->IsTouching() ||
         contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor())
         return;
-    MakeRoom();
     m_solver->Add(contact);
-    m_marks.PutInIsland(contact);
+    flags |= ContactAccess::kInIsland;
     if (!BodyInIsland::Is(other))
         Push(other);
 }
@@ -213,7 +243,6 @@ void IslandPass::TakeJoints(const b2Body *body) {
     for (const b2JointEdge *edge = body->GetJointList(); edge != nullptr; edge = edge->next) {
         if (edge->joint->*Named(JointInIsland()) || !edge->other->IsEnabled())
             continue;
-        MakeRoom();
         m_solver->Add(edge->joint);
         edge->joint->*Named(JointInIsland()) = true;
         if (!BodyInIsland::Is(edge->other))
@@ -221,60 +250,62 @@ void IslandPass::TakeJoints(const b2Body *body) {
     }
 }
 
-/// Code of the game may have unlocked the world by a step inside this one, and have made more since.
-void IslandPass::MakeRoom() {
-    if (m_gameStepped)
-        m_solver->Reserve(m_solver->BodyCount() + m_stackCount + 2, m_solver->ContactCount() + 1,
-                          static_cast<uint32_t>(m_world->GetJointCount()));
-}
-
 void IslandPass::SolveIsland() {
     for (uint32_t i = 0; i < m_solver->BodyCount(); ++i)
         if (m_solver->Body(i)->GetType() == b2_staticBody)
             BodyInIsland::Clear(m_solver->Body(i)); // it may be in other islands, too
-    const bool tells = IsOfGame(m_listener) && m_solver->ContactCount() > 0;
-    if (tells && !m_tells)
-        BeforeGame(m_manager);
-    m_tells = m_tells || tells;
+    // No other island comes by these contacts: their bodies that move are in this one.
+    for (uint32_t i = 0; i < m_solver->ContactCount(); ++i)
+        ContactAccess::Flags(m_solver->Contact(i)) &= ~ContactAccess::kInIsland;
+    const bool callsGame = IsOfGame(m_listener) && m_solver->ContactCount() > 0;
+    if (callsGame && !m_gameWasCalled && m_table != nullptr)
+        m_table->deferred.BeforeGame();
     m_solver->Solve(m_world->GetGravity(), m_world->GetAllowSleeping());
-    if (!tells)
-        return;
-    AfterGame();
+    if (callsGame)
+        AfterGame();
 }
 
 /// The listener's PostSolve was called, and may have woken bodies. If the pass began with the bodies that
 /// were awake, nothing marks a sleeper's links as too few: none is followed from here on. Otherwise they
-/// hold, unless PostSolve made a step inside this one, or ended or made contacts. (Such a step unlocks the
-/// world, also if another thread makes it; not if an exception ends it.)
+/// hold, unless the world has left its table.
 void IslandPass::AfterGame() {
-    const bool stepped = !m_world->IsLocked() || LatestStep() != m_latest ||
-                         m_manager->m_contactList != m_newest || m_manager->m_contactCount != m_contactCount;
-    m_isLinked = m_isLinked && !m_seedsAreAwake && !stepped;
+    m_gameWasCalled = true;
+    m_isLinked = m_isLinked && !m_seedsAreAwake;
     m_seedsAreAwake = m_awakeAlone = false;
-    m_gameStepped = m_gameStepped || stepped;
-    m_tells = !stepped;
-    if (!stepped)
+    MakeRoom();
+    if (m_table == nullptr || !HasLeft(m_table))
         return;
-    if (m_ledger != nullptr && m_ledger->WasLeft())
-        m_ledger = nullptr;
-    m_marks.LookAgain();
+    m_table = nullptr;
+    m_isLinked = false;
     for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext())
         PutPlaceBack(body); // there may be a gear by now
+}
+
+/// A game that steps the world inside PostSolve unlocks it, and may make more of everything.
+void IslandPass::MakeRoom() {
+    if (m_world->GetBodyCount() <= m_bodyCount && m_world->GetContactCount() <= m_contactCount &&
+        m_world->GetJointCount() <= m_jointCount)
+        return;
+    m_bodyCount = m_world->GetBodyCount();
+    m_contactCount = m_world->GetContactCount();
+    m_jointCount = m_world->GetJointCount();
+    m_solver->Reserve(static_cast<uint32_t>(m_bodyCount), static_cast<uint32_t>(m_contactCount),
+                      static_cast<uint32_t>(m_jointCount));
 }
 
 // Behind the islands.
 
 /// Boxes follow the bodies that were in islands, in Box2D's order.
 void IslandPass::Synchronize() {
-    if (m_ledger != nullptr)
-        m_ledger->GetBodies().SetAlone(m_awakeAlone ? CurrentStep() : 0);
+    if (m_table != nullptr)
+        m_table->bodies.SetAlone(m_awakeAlone);
     for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         PutPlaceBack(body);
         Follow(body);
     }
-    for (uint32_t i = 0; m_awakeAlone && i < m_ledger->GetBodies().AwakeCount(); ++i)
-        Follow(m_ledger->GetBodies().Awake(i));
+    for (uint32_t i = 0; m_awakeAlone && i < m_table->bodies.AwakeCount(); ++i)
+        Follow(m_table->bodies.Awake(i));
 }
 
 /// Of a body that is in no island: it slept, or PostSolve put it to sleep ahead of its island.
@@ -294,8 +325,14 @@ void IslandPass::Follow(b2Body *body) {
     if (!BodyInIsland::Is(body) || body->GetType() == b2_staticBody)
         return;
     (body->*Named(SynchronizeFixtures()))();
-    if (m_ledger != nullptr && !body->IsAwake())
-        m_ledger->Owed().EnableOfSleeper(body);
+    if (m_table != nullptr && !body->IsAwake())
+        m_table->deferred.EnableOfSleeper(body);
+}
+
+} // namespace
+
+void SolveIslands(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table) {
+    IslandPass(world, step, solver, table).Run();
 }
 
 } // namespace bmr

@@ -2,38 +2,62 @@
 #ifndef BOOMERANG_GLUE_PASSES_H
 #define BOOMERANG_GLUE_PASSES_H
 
+#include <cstdint>
+
 #include <box2d/b2_settings.h>
 
 class b2ContactManager;
 class b2World;
+struct b2TimeStep;
+
+/// @file
+/// The passes of a step, in their order. `table`: the world's table of pairs, with all its contacts, if the
+/// step goes by it; nullptr: the pass goes by Box2D's lists. A world may leave its table while a pass calls
+/// code of the game (LeaveTable). The pass goes on by Box2D's lists then, and so do those after it.
 
 namespace bmr {
 
-/// b2ContactManager::Collide, at the start of a step: the same contacts in the same order, each filtered,
-/// destroyed or updated when Box2D would.
-///
-/// A world with a ledger (glue/pairs/pair_table.h) does not look at contacts whose budget of motion is not
-/// used up. Box2D's loop would leave each of these without points, not touching, and enabled. The first two
-/// it is. A game may have disabled it, and the pass owes it the enabling: the pass pays before each call of
-/// the game's code, for the contacts that it has passed, and at its end if code of the game ran. (If none
-/// does, b2World::SolveTOI alone asks: OwedEnabling.)
-///
-/// A world of few contacts, or whose ledger does not pay, is stepped by Box2D's list.
-void Collide(b2ContactManager *manager);
+class IslandSolver;
+class PairTable;
 
-/// b2ContactManager::FindNewContacts: pairs of proxies whose fat boxes have come to overlap. The same
-/// contacts are made in the same order, and the same filters asked. Pairs are found by tree/pair_descent.h;
-/// contacts that exist already, in the ledger's table of pairs, where Box2D walks over the body's list.
-void FindNewContacts(b2ContactManager *manager);
+/// b2World::Step, if StepIsOurs. The clock is read once between two passes; and forces are cleared of the
+/// bodies that are awake alone, where it is known that no other has any.
+void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations);
 
 /// Is a step that begins ours, and with it each of its passes? It is Box2D's if the thread does not round to
 /// nearest, or is about to end. Then the world leaves its table; and so does one that is stepped in the midst
 /// of its own step, or as a contact of its ends.
 bool StepIsOurs(const b2World &world);
 
-/// b2World::Step of a step that is ours: the passes in their order. The clock is read once between two of
-/// them; and forces are cleared of the bodies that are awake alone, where it is known that no other has any.
-void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations);
+/// b2ContactManager::Collide: the same contacts in the same order, each filtered, destroyed or updated when
+/// Box2D would.
+///
+/// By a table the pass does not read contacts whose deadline is not reached. Box2D's loop would leave each of
+/// these without points, not touching, and enabled. The first two it is. A game may have disabled it, and the
+/// pass defers its enabling: it is done before each call of the game's code, for the contacts that the pass
+/// has passed, and at its end if code of the game ran. (If none does, b2World::SolveTOI alone asks:
+/// DeferredEnable.)
+void Collide(b2ContactManager *manager, PairTable *table);
+
+/// b2World::Solve: islands of bodies that touch or are joined are built, depth first, and solved; then boxes
+/// follow their bodies, and new contacts are looked for.
+///
+/// Where few pairs of a table touch, islands are built from links between these alone, in the order of
+/// Box2D's lists.
+void SolveIslands(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table);
+
+/// b2World::SolveTOI: finds the first impact of what is left of the step, lets the bodies of its island meet,
+/// and begins again, until there is none.
+///
+/// By a table the times of impact that are known stand in a heap (ImpactTimes), and after an impact those
+/// pairs alone are asked that Box2D would ask again. Otherwise Box2D's list is searched, and after that its
+/// ToiCandidates. Either way a pair that is proved apart over its whole motion is not asked.
+void SolveImpacts(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table);
+
+/// b2ContactManager::FindNewContacts: pairs of proxies whose fat boxes have come to overlap. The same
+/// contacts are made in the same order, and the same filters asked. Pairs are found by tree/pair_descent.h;
+/// contacts that exist already, in the table of pairs, where Box2D walks over the body's list.
+void FindNewContacts(b2ContactManager *manager);
 
 } // namespace bmr
 

@@ -2,17 +2,18 @@
 #include "glue/passes.h"
 
 #include <chrono>
+#include <optional>
+
+#include <box2d/b2_contact_manager.h>
+#include <box2d/b2_time_step.h>
+#include <box2d/b2_world.h>
 
 #include "base/memory.h"
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
-#include "glue/impacts.h"
-#include "glue/islands.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
 #include "solver/island_solver.h"
-#include "start/current_step.h"
-#include "start/settings.h"
 
 namespace bmr {
 
@@ -55,54 +56,70 @@ private:
     IslandSolver *m_solver;
 };
 
-void Solve(b2World *world, const b2TimeStep &step) {
-    const TakenSolver solver(static_cast<uint32_t>(world->GetBodyCount()),
-                             static_cast<uint32_t>(world->GetContactCount()),
-                             static_cast<uint32_t>(world->GetJointCount()));
-    IslandPass(world, step, solver.Get()).Run();
-}
-
-void SolveTOI(b2World *world, const b2TimeStep &step) {
-    const TakenSolver solver(2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
-    ImpactPass(world, step, solver.Get()).Run();
-}
-
-void ClearForces(b2World *world) {
+void ClearForces(b2World *world, PairTable *table) {
     const auto clear = [](b2Body *body) {
         (body->*Named(Force())).SetZero();
         body->*Named(Torque()) = 0.0f;
     };
-    Ledger *const ledger = FindLedger(&world->GetContactManager());
     // Code of the game may have woken bodies, and have pushed them, since the list was made.
-    if (ledger != nullptr && ledger->GetBodies().AreAlone(CurrentStep()) && !GameRan()) {
-        for (uint32_t i = 0; i < ledger->GetBodies().AwakeCount(); ++i)
-            clear(ledger->GetBodies().Awake(i));
+    if (table != nullptr && !table->WasLeft() && table->bodies.AreAlone() && !table->deferred.GameRan()) {
+        for (uint32_t i = 0; i < table->bodies.AwakeCount(); ++i)
+            clear(table->bodies.Awake(i));
         return;
     }
     for (b2Body *body = world->GetBodyList(); body != nullptr; body = body->GetNext())
         clear(body);
 }
 
+/// The table that the step goes by. None where Box2D's list costs less; in a step that goes on with the
+/// impacts of the one before (sub-stepping); and in a step that a game makes inside another one.
+PairTable *TableOfStep(b2World *world, b2ContactManager *manager, float seconds) {
+    PairTable *const table = PairTableForStep(manager);
+    if (table == nullptr)
+        return nullptr;
+    if (!world->IsLocked() && world->*Named(StepComplete()) && table->cost.NextStepPays() &&
+        table->Follow()) {
+        table->seconds = seconds;
+        return table;
+    }
+    table->Interrupt();
+    return nullptr;
+}
+
+/// RoundsToNearest need not ask as long as this lives.
+class KnownRounding {
+public:
+    KnownRounding() { StepIsToNearest() = true; }
+    ~KnownRounding() { StepIsToNearest() = false; }
+    KnownRounding(const KnownRounding &) = delete;
+    KnownRounding &operator=(const KnownRounding &) = delete;
+};
+
 } // namespace
 
 bool StepIsOurs(const b2World &world) {
     const b2ContactManager &manager = world.GetContactManager();
     const bool isOurs = RoundsToNearest() && PerThread<IslandSolvers>() != nullptr;
-    const Ledger *const ledger = FindLedger(&manager);
-    if (ledger != nullptr && (!isOurs || world.IsLocked() || ledger->IsInPass()))
+    const PairTable *const table = FindPairTable(&manager);
+    if (table != nullptr && (!isOurs || world.IsLocked() || table->IsInPass()))
         LeaveTable(&manager);
     return isOurs;
 }
 
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations) {
+    const KnownRounding rounding;
     Laps laps;
     b2Profile &profile = world->*Named(Profile());
     auto &manager = const_cast<b2ContactManager &>(world->GetContactManager());
     if (world->*Named(NewContacts())) {
-        manager.FindNewContacts();
+        FindNewContacts(&manager);
         world->*Named(NewContacts()) = false;
         laps.Next();
     }
+    PairTable *const table = TableOfStep(world, &manager, seconds);
+    std::optional<PairTable::Pass> pass;
+    if (table != nullptr)
+        pass.emplace(table);
     world->*Named(Locked()) = true;
     const bool advances = seconds > 0.0f;
     b2TimeStep step;
@@ -113,21 +130,27 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
     step.positionIterations = positionIterations;
     step.warmStarting = world->GetWarmStarting();
 
-    Collide(&manager);
+    Collide(&manager, table);
     profile.collide = laps.Next();
     if (advances && world->*Named(StepComplete())) {
-        Solve(world, step);
+        const TakenSolver solver(static_cast<uint32_t>(world->GetBodyCount()),
+                                 static_cast<uint32_t>(world->GetContactCount()),
+                                 static_cast<uint32_t>(world->GetJointCount()));
+        SolveIslands(world, step, solver.Get(), table);
         profile.solve = laps.Next();
     }
     if (advances && world->GetContinuousPhysics()) {
-        SolveTOI(world, step);
+        const TakenSolver solver(2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
+        SolveImpacts(world, step, solver.Get(), table);
         profile.solveTOI = laps.Next();
     }
     if (advances)
         world->*Named(InverseStep()) = step.inv_dt;
     if (world->GetAutoClearForces())
-        ClearForces(world);
+        ClearForces(world, table);
     world->*Named(Locked()) = false;
+    if (pass.has_value())
+        pass->Complete();
     profile.step = laps.Whole();
 }
 

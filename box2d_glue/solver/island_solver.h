@@ -30,7 +30,7 @@ struct IslandRoom {
     Column<b2Body *> stack;    ///< bodies of an island that are to be taken
     Column<uint32_t> touching; ///< numbers of contacts
     Column<Link> links;
-    Column<b2Contact *> stoppers; ///< glue/impacts.h
+    Column<b2Contact *> toiCandidates; ///< glue/impacts.h
 };
 
 /// Solves islands with the bits of Box2D's b2Island.
@@ -59,6 +59,7 @@ public:
     uint32_t ContactCount() const { return m_contactCount - m_waiting.endContact; }
     uint32_t JointCount() const { return m_jointCount - m_waiting.endJoint; }
     b2Body *Body(uint32_t i) const { return m_bodies[m_waiting.endBody + i]; }
+    b2Contact *Contact(uint32_t i) const { return m_contacts[m_waiting.endContact + i]; }
     /// Its stack has room for as many bodies as an island.
     IslandRoom &Room() { return m_room; }
 

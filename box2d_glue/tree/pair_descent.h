@@ -48,8 +48,8 @@ inline bool Reports(int32 proxy, int32 leaf, bool moved) {
 struct DescentRoom {
     struct Group {
         Box box;
-        const b2Body *passedOver; ///< leaves of this one; nullptr: of none
-        uint32_t begin, end;      ///< its proxies
+        const b2Body *body;
+        uint32_t begin, end; ///< its proxies
     };
     struct Proxy {
         Box box;
@@ -68,12 +68,11 @@ struct DescentRoom {
     Column<int32> leaves;   ///< the same, proxy by proxy
 };
 
-/// Calls `keep(proxy, leaf)` for the pairs that Box2D would find. Without `ownPairs`, for none of two
-/// fixtures of one body.
+/// Calls `keep(proxy, leaf)` for the pairs that Box2D would find, but for none of two fixtures of one body.
 template <typename Keep> class PairDescent {
 public:
-    PairDescent(const b2DynamicTree &tree, bool ownPairs, DescentRoom *room, const Keep &keep)
-        : m_tree(tree), m_ownPairs(ownPairs), m_room(*room), m_keep(keep) {
+    PairDescent(const b2DynamicTree &tree, DescentRoom *room, const Keep &keep)
+        : m_tree(tree), m_room(*room), m_keep(keep) {
         tree.Query(&m_nodes, b2AABB());
     }
 
@@ -118,8 +117,7 @@ private:
                 group->box = Around(group->box, box);
                 group->end = m_proxyCount;
             } else
-                m_room.groups[m_groupCount++] = {box, m_ownPairs ? nullptr : body, m_proxyCount - 1,
-                                                 m_proxyCount};
+                m_room.groups[m_groupCount++] = {box, body, m_proxyCount - 1, m_proxyCount};
             last = body;
         }
         m_single = most == 1;
@@ -186,7 +184,7 @@ private:
         const Box box = BoxOf(node.aabb);
         for (uint32_t i = leaf.begin; i < leaf.end; ++i) {
             const DescentRoom::Group &group = m_room.groups[m_room.lists[i]];
-            if (group.passedOver == body)
+            if (group.body == body)
                 continue;
             m_room.found.Reserve(m_found + (group.end - group.begin));
             for (uint32_t j = group.begin; j < group.end; ++j)
@@ -216,7 +214,6 @@ private:
 
     const b2DynamicTree &m_tree;
     TreeNodes m_nodes;
-    bool m_ownPairs;
     DescentRoom &m_room;
     const Keep &m_keep;
     uint32_t m_proxyCount = 0, m_groupCount = 0, m_found = 0;

@@ -21,7 +21,6 @@
 #include "hooks/stock.h"
 #include "shapes/convex_draw.h"
 #include "shapes/convex_geometry.h"
-#include "start/current_step.h"
 #include "start/settings.h"
 #include "tree/edit.h"
 #include "tree/fixture_boxes.h"
@@ -38,8 +37,6 @@ namespace {
 
 BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterations,
                            int32 positionIterations) {
-    const StepUnderWay step;
-    CurrentTimeStep() = timeStep;
     CountStep();
     if (StepIsOurs(*world))
         RunStep(world, timeStep, velocityIterations, positionIterations);
@@ -124,27 +121,27 @@ void b2Fixture::Synchronize(b2BroadPhase *broadPhase, const b2Transform &xf1, co
         stock::Synchronize(this, broadPhase, xf1, xf2);
 }
 
-// What ends. A contact's record goes with it, and a world's ledger with the world.
+// What ends. A contact's record goes with it, and a world's table with the world.
 
 void b2ContactManager::Destroy(b2Contact *contact) {
-    Ledger *ledger = PassesRun(HookOf::Destroy) ? FindAndSignLedger(this) : nullptr;
-    if (ledger == nullptr)
+    PairTable *table = PassesRun(HookOf::Destroy) ? FindAndSignPairTable(this) : nullptr;
+    if (table == nullptr)
         return stock::Destroy(this, contact);
     // The listener's EndContact may step the world, or end other contacts: numbers stay. And it may make
     // others, which get the proxies of a body that is being put out of the world.
-    Ledger::Ending ending(ledger, contact);
+    PairTable::Ending ending(table, contact);
     stock::Destroy(this, contact);
     ending.Complete();
 }
 
 void b2World::DestroyBody(b2Body *body) {
-    if (Ledger *ledger = FindLedger(&m_contactManager))
-        ledger->GetBodies().Forget(); // the list of bodies is another one
+    if (PairTable *table = FindPairTable(&m_contactManager))
+        table->bodies.Forget(); // the list of bodies is another one
     stock::DestroyBody(this, body);
 }
 
 void hooks::NoteWorldEnds(b2World *world) {
-    DropLedger(&world->GetContactManager());
+    DropPairTable(&world->GetContactManager());
 }
 
 #if !defined(BMR_RENAMED)
@@ -186,25 +183,25 @@ namespace {
 
 void NoteFiltering(const b2Body *body) {
     const b2World *const world = body != nullptr ? body->GetWorld() : nullptr;
-    Ledger *ledger = world != nullptr ? FindLedger(&world->GetContactManager()) : nullptr;
-    if (ledger == nullptr)
+    PairTable *table = world != nullptr ? FindPairTable(&world->GetContactManager()) : nullptr;
+    if (table == nullptr)
         return;
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
         if (SolidContact::WantsFiltering(*edge->contact))
-            ledger->Flag(edge->contact, kToBeFiltered);
+            table->Flag(edge->contact, kToBeFiltered);
 }
 
 } // namespace
 
 void b2Fixture::Refilter() {
-    if (!AnyLedger())
+    if (!AnyPairTable())
         return stock::Refilter(this);
     stock::Refilter(this);
     NoteFiltering(GetBody());
 }
 
 void b2Fixture::SetFilterData(const b2Filter &filter) {
-    if (!AnyLedger())
+    if (!AnyPairTable())
         return stock::SetFilterData(this, filter);
     stock::SetFilterData(this, filter);
     NoteFiltering(GetBody());
@@ -212,7 +209,7 @@ void b2Fixture::SetFilterData(const b2Filter &filter) {
 
 b2Joint *b2World::CreateJoint(const b2JointDef *def) {
     b2Joint *joint = stock::CreateJoint(this, def);
-    if (!AnyLedger()) // whose user data may have any size in a Box2D that is not known
+    if (!AnyPairTable()) // whose user data may have any size in a Box2D that is not known
         return joint;
     // Box2D reads the definition: a gear joint's own bodies are other ones.
     NoteFiltering(joint != nullptr ? def->bodyB : nullptr);

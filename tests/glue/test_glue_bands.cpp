@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far out a fixture's row is (world/movers.h): its pairs' margins grow with it, a row that comes into
+// How far out a fixture's row is (glue/pairs/fixture_motion.h): its pairs' margins grow with it, a row that comes into
 // another band has its pairs looked at, and one that trembles about a border does not.
 #include <box2d/box2d.h>
 
@@ -15,7 +15,7 @@ struct Yard {
     b2World world{b2Vec2(0.0f, 0.0f)};
     b2Body *body;
     b2Fixture *fixture;
-    bmr::Movers movers;
+    bmr::FixtureMotions motions;
     uint32_t row;
     uint64_t look = 0;
 
@@ -26,19 +26,19 @@ struct Yard {
         b2PolygonShape box;
         box.SetAsBox(half, half);
         fixture = body->CreateFixture(&box, 1.0f);
-        row = movers.Acquire(fixture, BroadPhase(), ++look);
-        movers.AddProof(row, BroadPhase(), look);
+        row = motions.Acquire(fixture, BroadPhase(), ++look);
+        motions.AddProof(row, BroadPhase(), look);
     }
     const b2BroadPhase &BroadPhase() const { return world.GetContactManager().m_broadPhase; }
 
     /// The row's bits after a look with the body there.
     uint8_t At(float x, float y = 0.0f) {
         body->SetTransform({x, y}, 0.3f);
-        movers.SetBits(row, movers.Bits(row) & static_cast<uint8_t>(~(bmr::kChanged | bmr::kChangedLate)));
-        movers.Look(row, BroadPhase(), ++look, false);
-        return movers.Bits(row);
+        motions.SetBits(row, motions.Bits(row) & static_cast<uint8_t>(~(bmr::kChanged | bmr::kChangedLate)));
+        motions.Update(row, BroadPhase(), ++look, false);
+        return motions.Bits(row);
     }
-    int Band() const { return movers.Band(row, row); }
+    int Band() const { return motions.Band(row, row); }
 };
 
 } // namespace
@@ -46,7 +46,7 @@ struct Yard {
 TEST_CASE("a row is in the band that its body is in") {
     Yard yard;
     CHECK(yard.Band() == 0);
-    CHECK(yard.movers.RoundingMargin(yard.row, yard.row) == bmr::kRoundingMargin);
+    CHECK(yard.motions.RoundingMargin(yard.row, yard.row) == bmr::kRoundingMargin);
     for (int band = 1; band < bmr::kBands; ++band) {
         const float from = std::ldexp(kBorder, band - 1), to = std::ldexp(kBorder, band) - 5.0f;
         for (const b2Vec2 place : {b2Vec2(from + 1.0f, 0.0f), b2Vec2(0.0f, -from - 1.0f), b2Vec2(to, -to)}) {
@@ -57,7 +57,7 @@ TEST_CASE("a row is in the band that its body is in") {
             CHECK((bits & bmr::kPlain) == 0);
             CHECK((bits & bmr::kChanged) != 0); // its pairs' lines left less
             CHECK(yard.Band() == band);
-            CHECK(yard.movers.RoundingMargin(yard.row, yard.row) == bmr::BandMargin(band));
+            CHECK(yard.motions.RoundingMargin(yard.row, yard.row) == bmr::BandMargin(band));
         }
     }
 }

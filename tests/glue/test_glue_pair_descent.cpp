@@ -91,14 +91,13 @@ private:
 
 struct Alone {
     const b2DynamicTree &tree;
-    bool ownPairs;
     int32 proxy;
     std::vector<Found> *found;
 
     bool QueryCallback(int32 leaf) const {
         const bool own =
             bmr::tree::BodyOf(tree.GetUserData(leaf)) == bmr::tree::BodyOf(tree.GetUserData(proxy));
-        if (bmr::tree::Reports(proxy, leaf, tree.WasMoved(leaf)) && (ownPairs || !own))
+        if (bmr::tree::Reports(proxy, leaf, tree.WasMoved(leaf)) && !own)
             found->push_back({proxy, leaf});
         return true;
     }
@@ -114,15 +113,14 @@ TEST_CASE("proxies that go down the tree together find what each finds alone, in
         bmr::tree::DescentRoom room;
         for (int step = 0; step < 4; ++step) {
             const std::vector<int32> moves = bodies.Move();
-            const bool ownPairs = Below(engine, 4) == 0;
             std::vector<Found> alone, together;
             for (const int32 proxy : moves) {
-                Alone query = {bodies.Tree(), ownPairs, proxy, &alone};
+                Alone query = {bodies.Tree(), proxy, &alone};
                 if (proxy != b2BroadPhase::e_nullProxy)
                     bodies.Tree().Query(&query, bodies.Tree().GetFatAABB(proxy));
             }
             const auto keep = [&together](int32 proxy, int32 leaf) { together.push_back({proxy, leaf}); };
-            bmr::tree::PairDescent(bodies.Tree(), ownPairs, &room, keep)
+            bmr::tree::PairDescent(bodies.Tree(), &room, keep)
                 .Run(moves.data(), static_cast<int32>(moves.size()));
             REQUIRE(together == alone);
             found += alone.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a fixture's row can come in the sweep of its body (world/movers.h): what the budget of a pair is
+// How far a fixture's row can come in the sweep of its body (glue/pairs/fixture_motion.h): what the budget of a pair is
 // held against, ahead of Box2D's search for impacts. Code of the game may have run since the row was looked
 // at: the body need not turn about what it turned about, nor be of the same shape.
 #include <box2d/box2d.h>
@@ -16,7 +16,7 @@ struct Swept {
     b2World world{b2Vec2(0.0f, 0.0f)};
     b2Body *body;
     b2PolygonShape *shape;
-    bmr::Movers movers;
+    bmr::FixtureMotions motions;
     uint32_t row;
     uint64_t look = 0;
 
@@ -29,17 +29,17 @@ struct Swept {
         triangle.Set(corners, 3);
         b2Fixture *const fixture = body->CreateFixture(&triangle, 1.0f);
         shape = static_cast<b2PolygonShape *>(fixture->GetShape());
-        row = movers.Acquire(fixture, BroadPhase(), ++look);
-        movers.AddProof(row, BroadPhase(), look);
+        row = motions.Acquire(fixture, BroadPhase(), ++look);
+        motions.AddProof(row, BroadPhase(), look);
     }
     const b2BroadPhase &BroadPhase() const { return world.GetContactManager().m_broadPhase; }
     b2Sweep &Sweep() { return body->*Named(bmr::SweepMember()); }
 
-    void Look() { movers.Look(row, BroadPhase(), ++look, false); }
+    void Look() { motions.Update(row, BroadPhase(), ++look, false); }
     /// In units, from the last look on.
     uint32_t End(bool careful = true) {
-        movers.LookAtEnd(row, careful, ++look);
-        return movers.End(row) - movers.Moved(row);
+        motions.UpdateEnd(row, careful, ++look);
+        return motions.End(row) - motions.Moved(row);
     }
     /// As Box2D's solver leaves it: from the body's place on.
     void Move(b2Vec2 by, float turn) {
@@ -161,7 +161,7 @@ TEST_CASE("nothing is claimed beyond the reach and the angle that the margins of
 
 TEST_CASE("who was not looked at in the sweeps may stop others") {
     Swept one;
-    CHECK((one.movers.SweepBits(one.row) & bmr::kStops) != 0);
+    CHECK((one.motions.SweepBits(one.row) & bmr::kBulletOrStatic) != 0);
 }
 
 TEST_CASE("a budget outlasts sweeps if it was proved for impacts, too") {
@@ -176,21 +176,21 @@ TEST_CASE("a budget outlasts sweeps if it was proved for impacts, too") {
     }
     world.Step(1.0f / 60.0f, 1, 1);
     REQUIRE(world.GetContactCount() == 1);
-    bmr::Ledger ledger(const_cast<b2ContactManager *>(&world.GetContactManager()));
-    REQUIRE(ledger.Follow());
-    ledger.LookAtMovers();
-    const auto outlasts = [&ledger] {
-        ledger.BeginSearch(false);
-        return ledger.OutlastsSweeps(0);
+    bmr::PairTable table(const_cast<b2ContactManager *>(&world.GetContactManager()));
+    REQUIRE(table.Follow());
+    table.UpdateMotions();
+    const auto outlasts = [&table] {
+        table.BeginSearch();
+        return table.OutlastsSweeps(0);
     };
     const bmr_vec2 across = {1.0, 0.0};
     CHECK(!outlasts()); // without a proof
     for (const bool forImpactsToo : {true, false, true}) {
-        REQUIRE(ledger.BeginProof(0));
-        ledger.Prove(0, across, 0.05, 0.01, forImpactsToo);
+        REQUIRE(table.BeginProof(0));
+        table.Prove(0, across, 0.05, 0.01, forImpactsToo);
         CHECK(outlasts() == forImpactsToo);
     }
-    REQUIRE(ledger.BeginProof(0));
-    ledger.Prove(0, {0.0, 0.0}, 0.05, 0.01, false); // as a sensor's overlap is
+    REQUIRE(table.BeginProof(0));
+    table.Prove(0, {0.0, 0.0}, 0.05, 0.01, false); // as a sensor's overlap is
     CHECK(!outlasts());
 }

@@ -15,7 +15,6 @@
 #include "base/rounding_mode.h"
 #include "convex32/convex32_distance.h"
 #include "debug/statistics.h"
-#include "glue/pairs/contact_marks.h"
 #include "glue/proofs/thresholds.h"
 #include "start/settings.h"
 
@@ -140,7 +139,7 @@ void ConvexContact::LearnVtable() {
 }
 
 void ConvexContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
-    IsLookedAtByOthers();
+    NoteOtherCaller();
     const b2Manifold old = m_manifold; // most likely the one that is written
     FillManifold(Ask(xfA, xfB), manifold, xfA, xfB, old);
 }
@@ -190,22 +189,23 @@ inline Answer ConvexContact::Look(const b2Transform &xfA, const b2Transform &xfB
 }
 
 /// For the life of the contact alone: what is asked here changes no memory.
-Held ConvexContact::HeldBy(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const {
+ProofResult ConvexContact::ResultOf(Answer answer, bool points, const b2Transform &xfA,
+                                    const b2Transform &xfB) const {
     if (answer == Answer::ApartBySearch)
-        return Held::Another;
+        return ProofResult::Another;
     if (answer == Answer::HandedOver || points)
-        return Held::Nothing;
+        return ProofResult::Nothing;
     if (DisksSayApart(m_fixtureA, xfA, m_fixtureB, xfB, Margin()))
-        return Held::ByDisks;
+        return ProofResult::ByDisks;
     if (answer == Answer::ApartByEdge)
-        return Held::Remembered;
+        return ProofResult::Remembered;
     // The two were taken for touching, and do not touch: no proof was looked for.
     const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
     bmr_convex32_memory memory = state.closest;
     return WithinReach(xfA, ReachOf(m_fixtureA)) && WithinReach(xfB, ReachOf(m_fixtureB)) &&
                    bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), Margin(), &memory)
-               ? Held::Another
-               : Held::Nothing;
+               ? ProofResult::Another
+               : ProofResult::Nothing;
 }
 
 inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
@@ -223,8 +223,8 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
     }
     if (GetSettings().options.statistics) {
         if (IsOfPolygons() && !PairsAreHulls())
-            Live(HeldBy(answer, manifold->pointCount > 0, xfA, xfB));
-        TellOfAnswer(*this, answer, true);
+            TakeResult(ResultOf(answer, manifold->pointCount > 0, xfA, xfB));
+        ReportAnswer(*this, answer, true);
     }
 }
 
@@ -232,11 +232,7 @@ inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, con
 /// are where the impact is, and nowhere else, and the contact still says when that is.
 bool ConvexContact::IsAtImpact() const {
     const b2Sweep &a = SweepOf(*m_fixtureA->GetBody()), &b = SweepOf(*m_fixtureB->GetBody());
-    const ContactMarks marks(&m_fixtureA->GetBody()->GetWorld()->GetContactManager());
-    auto *const self = const_cast<ConvexContact *>(this);
-    if (!marks.IsTimeKnown(self))
-        return false;
-    const float time = marks.Time(self);
+    const float time = (m_flags & e_toiFlag) != 0 ? m_toi : 1.0f;
     return time < 1.0f && a.alpha0 == time && b.alpha0 == time && a.c0 == a.c && a.a0 == a.a && b.c0 == b.c &&
            b.a0 == b.a;
 }

@@ -106,7 +106,7 @@ private:
 
     Answer Look(const b2Transform &xfA, const b2Transform &xfB);
     float Margin() const;
-    Held HeldBy(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const;
+    ProofResult ResultOf(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const;
     Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
     void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB,
                       const b2Manifold &old);

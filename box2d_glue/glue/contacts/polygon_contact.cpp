@@ -23,10 +23,10 @@ const b2PolygonShape &ShapeOf(const b2Fixture *fixture) {
 
 /// `edgeFound`: an edge was searched, and separates the two. (So it may in the end of two that were taken for
 /// touching.)
-Held HeldBy(Answer answer, bool edgeFound) {
+ProofResult ResultOf(Answer answer, bool edgeFound) {
     if (edgeFound)
-        return Held::Another;
-    return answer == Answer::ApartByEdge ? Held::Remembered : Held::Nothing;
+        return ProofResult::Another;
+    return answer == Answer::ApartByEdge ? ProofResult::Remembered : ProofResult::Nothing;
 }
 
 } // namespace
@@ -57,7 +57,7 @@ PolygonContact::PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB)
 }
 
 void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
-    IsLookedAtByOthers();
+    NoteOtherCaller();
     FillManifold(Ask(xfA, xfB), manifold, xfA, xfB);
 }
 
@@ -98,7 +98,7 @@ inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, co
         answer = Answer::ApartBySearch;
     if (GetSettings().options.statistics) {
         if (!PairsAreHulls()) // else the structure of the two bodies lives for them
-            Live(HeldBy(answer, edgeFound));
+            TakeResult(ResultOf(answer, edgeFound));
         CountAnswer(answer);
     }
 }
@@ -106,7 +106,7 @@ inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, co
 void PolygonContact::CountAnswer(Answer answer) const {
     if (answer < Answer::Touching && !PairsAreHulls())
         Count(&Counts::edgeChecks);
-    TellOfAnswer(*this, answer, ManifoldIsMadeHere());
+    ReportAnswer(*this, answer, ManifoldIsMadeHere());
 }
 
 /// Are there manifolds with Box2D's bits to be had without it? (Set makes polygons of 3 vertices and more; a

@@ -7,7 +7,6 @@
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
 #include "glue/proofs/apart_line.h"
-#include "start/current_step.h"
 #include "start/settings.h"
 
 namespace bmr {
@@ -16,22 +15,22 @@ std::atomic<const void *> SolidContact::polygonVtable{nullptr}, SolidContact::co
 
 namespace {
 
-Ledger *LedgerOf(const b2Contact &contact) {
-    return FindLedger(&contact.GetFixtureA()->GetBody()->GetWorld()->GetContactManager());
+PairTable *PairTableOf(const b2Contact &contact) {
+    return FindPairTable(&contact.GetFixtureA()->GetBody()->GetWorld()->GetContactManager());
 }
 
 } // namespace
 
 bool SolidContact::HullsSayApart(const b2Transform &xfA, const b2Transform &xfB) const {
-    Ledger *const ledger = LedgerOf(*this);
-    const uint32_t number = ledger != nullptr ? ledger->NumberOf(this) : Ledger::kNone;
-    return number != Ledger::kNone && ledger->GetHullPairs().SayApart(number, *this, xfA, xfB);
+    PairTable *const table = PairTableOf(*this);
+    const uint32_t number = table != nullptr ? table->NumberOf(this) : PairTable::kNone;
+    return number != PairTable::kNone &&
+           table->hullPairs.SayApart(number, *this, xfA, xfB, table->deferred.GameRan() ? 0 : table->Stamp());
 }
 
 bmr_vec2 SolidContact::GuessDirection() const {
-    Ledger *const ledger = PairsAreHulls() ? LedgerOf(*this) : nullptr;
-    const HullPair *const pair =
-        ledger != nullptr ? ledger->GetHullPairs().Find(ledger->NumberOf(this)) : nullptr;
+    PairTable *const table = PairsAreHulls() ? PairTableOf(*this) : nullptr;
+    const HullPair *const pair = table != nullptr ? table->hullPairs.Find(table->NumberOf(this)) : nullptr;
     const bmr_vec2 ofHulls = pair != nullptr ? DirectionOf(*pair, *this) : bmr_vec2{0.0, 0.0};
     return ofHulls.x != 0.0 || ofHulls.y != 0.0 ? ofHulls : KnownDirection();
 }
@@ -56,10 +55,12 @@ bmr_vec32 GuessDirection(const b2Contact &contact) {
     return d.Normalize() > 0.0f ? bmr_vec32{d.x, d.y} : bmr_vec32{0.0f, 0.0f};
 }
 
-void SolidContact::IsLookedAtByOthers() const {
-    GameRan() = true; // it may be the game that asks, in the midst of a call
-    if (Ledger *ledger = LedgerOf(*this))
-        ledger->Flag(this, 0);
+void SolidContact::NoteOtherCaller() const {
+    PairTable *const table = PairTableOf(*this);
+    if (table == nullptr)
+        return;
+    table->deferred.NoteGame(); // it may be the game that asks, in the midst of a call
+    table->Flag(this, 0);
 }
 
 namespace {
@@ -67,60 +68,60 @@ namespace {
 constexpr int8_t kCoarse = BMR_LEVEL_DISKS, kPolygons = 0;
 
 /// The life after a look, and the event; BMR_EVENT_KIND_COUNT if there is none.
-struct Turn {
-    Life next;
+struct Transition {
+    CertificateState next;
     bmr_event_kind event;
     int8_t levelBefore, levelAfter;
 };
 
-constexpr Turn Quiet(Life life) {
+constexpr Transition Quiet(CertificateState life) {
     return {life, BMR_EVENT_KIND_COUNT, 0, 0};
 }
 
 /// A row for each life, a column for each finding: Nothing, ByDisks, Remembered, Another.
-constexpr Turn kTurns[4][4] = {
-    {{Life::Contact, BMR_EVENT_CONTACT, kCoarse, kPolygons},
-     {Life::Coarse, BMR_EVENT_START, kCoarse, kCoarse},
-     {Life::Apart, BMR_EVENT_START, kCoarse, kPolygons},
-     {Life::Apart, BMR_EVENT_START, kCoarse, kPolygons}},
-    {{Life::Contact, BMR_EVENT_CONTACT, kCoarse, kPolygons},
-     Quiet(Life::Coarse),
-     {Life::Apart, BMR_EVENT_STAB, kCoarse, kPolygons},
-     {Life::Apart, BMR_EVENT_STAB, kCoarse, kPolygons}},
-    {{Life::Contact, BMR_EVENT_CONTACT, kPolygons, kPolygons},
-     {Life::Coarse, BMR_EVENT_COARSEN, kPolygons, kCoarse},
-     Quiet(Life::Apart),
-     {Life::Apart, BMR_EVENT_PUSH, kPolygons, kPolygons}},
-    {Quiet(Life::Contact),
-     {Life::Coarse, BMR_EVENT_LEAVE, kPolygons, kCoarse},
-     {Life::Apart, BMR_EVENT_LEAVE, kPolygons, kPolygons},
-     {Life::Apart, BMR_EVENT_LEAVE, kPolygons, kPolygons}},
+constexpr Transition kTransitions[4][4] = {
+    {{CertificateState::Contact, BMR_EVENT_CONTACT, kCoarse, kPolygons},
+     {CertificateState::Coarse, BMR_EVENT_START, kCoarse, kCoarse},
+     {CertificateState::Apart, BMR_EVENT_START, kCoarse, kPolygons},
+     {CertificateState::Apart, BMR_EVENT_START, kCoarse, kPolygons}},
+    {{CertificateState::Contact, BMR_EVENT_CONTACT, kCoarse, kPolygons},
+     Quiet(CertificateState::Coarse),
+     {CertificateState::Apart, BMR_EVENT_STAB, kCoarse, kPolygons},
+     {CertificateState::Apart, BMR_EVENT_STAB, kCoarse, kPolygons}},
+    {{CertificateState::Contact, BMR_EVENT_CONTACT, kPolygons, kPolygons},
+     {CertificateState::Coarse, BMR_EVENT_COARSEN, kPolygons, kCoarse},
+     Quiet(CertificateState::Apart),
+     {CertificateState::Apart, BMR_EVENT_PUSH, kPolygons, kPolygons}},
+    {Quiet(CertificateState::Contact),
+     {CertificateState::Coarse, BMR_EVENT_LEAVE, kPolygons, kCoarse},
+     {CertificateState::Apart, BMR_EVENT_LEAVE, kPolygons, kPolygons},
+     {CertificateState::Apart, BMR_EVENT_LEAVE, kPolygons, kPolygons}},
 };
 
 } // namespace
 
-void SolidContact::Live(Held held) {
-    const Turn &turn = kTurns[static_cast<int>(state.life)][static_cast<int>(held)];
+void SolidContact::TakeResult(ProofResult held) {
+    const Transition &turn = kTransitions[static_cast<int>(state.life)][static_cast<int>(held)];
     state.life = turn.next;
     if (turn.event != BMR_EVENT_KIND_COUNT)
-        TellOfEvent(m_fixtureA->GetBody(), m_fixtureB->GetBody(),
+        ReportEvent(m_fixtureA->GetBody(), m_fixtureB->GetBody(),
                     {turn.event, turn.levelBefore, turn.levelAfter, nullptr, nullptr, 0.0});
 }
 
 void SolidContact::LeaveByLine() {
-    if (state.life == Life::Contact)
-        Live(Held::Another);
+    if (state.life == CertificateState::Contact)
+        TakeResult(ProofResult::Another);
 }
 
-void SolidContact::LiveAsSensor(bmr_vec2 before) {
+void SolidContact::TakeSensorResult(bmr_vec2 before) {
     if (IsTouching()) {
-        Live(Held::Nothing);
+        TakeResult(ProofResult::Nothing);
         return;
     }
     // If Box2D found the two apart, the direction is from another look, or there is none.
     const bmr_vec2 now = GuessDirection();
     if (SeparatesAlong(*m_fixtureA, *m_fixtureB, now))
-        Live(now.x == before.x && now.y == before.y ? Held::Remembered : Held::Another);
+        TakeResult(now.x == before.x && now.y == before.y ? ProofResult::Remembered : ProofResult::Another);
 }
 
 } // namespace bmr

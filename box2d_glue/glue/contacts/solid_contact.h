@@ -43,13 +43,13 @@ namespace bmr {
 ///
 /// No event: a look at which the certificate holds; a budget that is renewed by its line; the end of a
 /// contact. Where the two bodies meet again, the new contact starts
-/// anew. (What was handed over may leave by the line that its record in the ledger then gets.)
+/// anew. (What was handed over may leave by the line that its pair in the table then gets.)
 ///
 /// So its events are (start (push | stab | coarsen)*)? (contact leave (push | stab | coarsen)*)*, cut
 /// off anywhere.
 
 /// The certificate that keeps a contact's polygons apart, as its events name it.
-enum class Life : uint8_t {
+enum class CertificateState : uint8_t {
     Unborn, ///< nothing was found yet
     Coarse, ///< level -1
     Apart,  ///< level 0
@@ -57,7 +57,7 @@ enum class Life : uint8_t {
 };
 
 /// The result of a look at a contact.
-enum class Held : uint8_t {
+enum class ProofResult : uint8_t {
     Nothing,    ///< not known to be apart
     ByDisks,    ///< the disks around the two polygons are apart
     Remembered, ///< the certificate of the last look holds
@@ -66,7 +66,7 @@ enum class Held : uint8_t {
 
 /// Our data of a contact, besides Box2D's: 16 bytes at most, for which Box2D's 224-byte block has room.
 struct ContactState {
-    Life life;
+    CertificateState life;
     union {
         EdgeMemory edge;             ///< of a PolygonContact
         bmr_convex32_memory closest; ///< of a ConvexContact
@@ -74,7 +74,7 @@ struct ContactState {
 };
 static_assert(sizeof(ContactState) <= 16);
 
-/// The base of our contacts that the ledger knows: PolygonContact and ConvexContact. (EdgeContact is none.)
+/// The base of our contacts that the table knows: PolygonContact and ConvexContact. (EdgeContact is none.)
 class SolidContact : public b2Contact {
 public:
     /// `contact` as one of ours, or nullptr: contacts that were born before the register knew us, and other
@@ -116,12 +116,12 @@ public:
 
     /// Takes the result of a look into the contact's life, and reports the event, if it is one. Call it if
     /// Options::statistics is on, for a contact of polygons.
-    void Live(Held held);
-    /// The same of a contact that was handed over, and of which the ledger now has a line.
+    void TakeResult(ProofResult held);
+    /// The same of a contact that was handed over, and of which the table now has a line.
     void LeaveByLine();
     /// The same of a sensor's contact, behind its update by Box2D. `before`: GuessDirection() from ahead of
     /// it.
-    void LiveAsSensor(bmr_vec2 before);
+    void TakeSensorResult(bmr_vec2 before);
 
     /// An object's table of virtual functions, which tells contacts apart. Games build Box2D without run-time
     /// type information too, where typeid has nothing to look at; but the table is always an object's first
@@ -146,9 +146,9 @@ protected:
     /// these poses?
     bool HullsSayApart(const b2Transform &xfA, const b2Transform &xfB) const;
 
-    /// Evaluate was called: not by a pass of ours, but by Box2D or by the game. The contact's record in the
-    /// ledger is due.
-    void IsLookedAtByOthers() const;
+    /// Evaluate was called: not by a pass of ours, but by Box2D or by the game. The contact's pair in the
+    /// table is due.
+    void NoteOtherCaller() const;
 
 private:
     static uint32 FlagsOf(const b2Contact &contact) { return contact.*(&SolidContact::m_flags); }

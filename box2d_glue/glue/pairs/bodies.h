@@ -17,7 +17,7 @@ public:
     /// Takes in bodies that were made since; begins anew where one has gone. False if it is to be asked
     /// again.
     bool Follow(b2Body *newest, int32 count);
-    /// One has gone.
+    /// One has gone: the list of bodies is another one.
     void Forget() { m_count = 0; }
 
     /// Who may be in an island of the step that begins: awake, and not static. Puts all others out of
@@ -28,11 +28,10 @@ public:
     /// Newest first.
     b2Body *Awake(uint32_t i) const { return m_awake[i]; }
 
-    /// In this step islands hold only bodies that are awake; 0: not known. No more once a step was made in
-    /// the midst of it, which has islands of its own, and unlocks the world, so that bodies may go:
-    /// CurrentStep() is another one then.
-    void SetAlone(uint64_t step) { m_aloneIn = step; }
-    bool AreAlone(uint64_t step) const { return step != 0 && m_aloneIn == step; }
+    /// In this step islands hold only bodies that are awake. Not known, and so not true, until the islands
+    /// are solved.
+    void SetAlone(bool alone) { m_alone = alone; }
+    bool AreAlone() const { return m_alone; }
 
     /// An impact, or a search of Box2D's own, leaves bodies displaced in their sweeps. (Box2D puts all of
     /// them back as it begins to search: the bodies that are asleep would have to be asked one by one.)
@@ -43,8 +42,7 @@ public:
 private:
     Column<b2Body *> m_bodies, m_awake;
     uint32_t m_count = 0, m_awakeCount = 0, m_waits = 0;
-    uint64_t m_aloneIn = 0;
-    bool m_displaced = true;
+    bool m_alone = false, m_displaced = true;
 };
 
 } // namespace bmr

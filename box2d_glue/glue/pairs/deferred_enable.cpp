@@ -6,25 +6,25 @@
 
 namespace bmr {
 
-bool OwedEnabling::IsActive(uint32_t i) const {
-    const PairRecord &record = m_ledger.At(i);
-    return m_ledger.GetMovers().IsActive(record.a) || m_ledger.GetMovers().IsActive(record.b);
+bool DeferredEnable::IsActive(uint32_t i) const {
+    const Pair &pair = m_table.At(i);
+    return m_table.motions.IsActive(pair.a) || m_table.motions.IsActive(pair.b);
 }
 
-void OwedEnabling::EnableDownTo(uint32_t down) {
-    if (m_below > m_ledger.Count())
-        m_below = m_ledger.Count();
+void DeferredEnable::EnableDownTo(uint32_t down) {
+    if (m_below > m_table.Count())
+        m_below = m_table.Count();
     while (m_below > down) {
-        // The contacts of one word that are owed it, in any order: no code of the game runs in between.
+        // The contacts of one word that are deferred, in any order: no code of the game runs in between.
         const uint32_t word = (m_below - 1) / 64, first = word * 64 > down ? word * 64 : down;
-        uint64_t owed = m_ledger.WatchedOf(word) & ~m_looked.Word(word) & ~uint64_t{0} << (first % 64);
+        uint64_t deferred = m_table.AwakeOf(word) & ~m_updated.Word(word) & ~uint64_t{0} << (first % 64);
         if (m_below % 64 != 0)
-            owed &= ~(~uint64_t{0} << (m_below % 64));
-        for (uint64_t left = owed; left != 0; left &= left - 1)
-            BMR_PREFETCH(m_ledger.Contact(word * 64 + LowestBit(left)));
-        for (; owed != 0; owed &= owed - 1) {
-            const uint32_t i = word * 64 + LowestBit(owed);
-            b2Contact *const contact = m_ledger.Contact(i);
+            deferred &= ~(~uint64_t{0} << (m_below % 64));
+        for (uint64_t left = deferred; left != 0; left &= left - 1)
+            BMR_PREFETCH(m_table.Contact(word * 64 + LowestBit(left)));
+        for (; deferred != 0; deferred &= deferred - 1) {
+            const uint32_t i = word * 64 + LowestBit(deferred);
+            b2Contact *const contact = m_table.Contact(i);
             if ((!contact->IsEnabled() || Verifying()) && IsActive(i)) {
                 ContactAccess::Enable(contact);
                 if (Verifying())
@@ -35,23 +35,22 @@ void OwedEnabling::EnableDownTo(uint32_t down) {
     }
 }
 
-void OwedEnabling::EnableIfOwed(uint32_t i) {
-    if (i < m_below && m_ledger.IsWatched(i) && !m_looked.Has(i) && IsActive(i))
-        ContactAccess::Enable(m_ledger.Contact(i));
+void DeferredEnable::EnableIfDeferred(uint32_t i) {
+    if (i < m_below && m_table.IsAwake(i) && !m_updated.Has(i) && IsActive(i))
+        ContactAccess::Enable(m_table.Contact(i));
 }
 
-void OwedEnabling::EnableOfSleeper(const b2Body *body) {
+void DeferredEnable::EnableOfSleeper(const b2Body *body) {
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
-        const uint32_t i = m_ledger.NumberOf(edge->contact);
-        if (i != Ledger::kNone)
-            EnableIfOwed(i);
+        const uint32_t i = m_table.NumberOf(edge->contact);
+        if (i != PairTable::kNone)
+            EnableIfDeferred(i);
     }
 }
 
-void OwedEnabling::EndPass(bool gameRan) {
-    if (gameRan || m_gameRan || Verifying())
+void DeferredEnable::EndPass() {
+    if (m_gameRan || m_gameRanBefore || Verifying())
         EnableDownTo(0);
-    m_gameRan = gameRan;
 }
 
 } // namespace bmr

@@ -54,8 +54,8 @@ const b2PolygonShape *PolygonOf(const b2Fixture &fixture) {
                                                    : nullptr;
 }
 
-// Two rows may have gone on by so much, one look and one mark more, and what comes with the next pass, before
-// the difference to a deadline wraps.
+// Two rows may have gone on by so much, one update and one mark more, and what comes with the next pass,
+// before the difference to a deadline wraps.
 constexpr uint32_t kMostLate = 1u << 29;
 
 /// Where it has one and no more.
@@ -64,26 +64,26 @@ int32 ProxyOf(const b2Fixture *fixture) {
                                                    : int32{b2BroadPhase::e_nullProxy};
 }
 
-/// kActive, kStops and kIsSensor as they are now.
-uint8_t FlagsOf(const Mover &mover) {
-    const b2Body &body = *mover.body;
+/// kActive, kBulletOrStatic and kIsSensor as they are now.
+uint8_t FlagsOf(const FixtureMotion &motion) {
+    const b2Body &body = *motion.body;
     uint8_t bits = 0;
     if (body.IsAwake() && body.GetType() != b2_staticBody)
         bits |= kActive;
     if (body.IsBullet() || body.GetType() != b2_dynamicBody)
-        bits |= kStops;
-    if (mover.fixture->IsSensor())
+        bits |= kBulletOrStatic;
+    if (motion.fixture->IsSensor())
         bits |= kIsSensor;
     return bits;
 }
 
 /// What a game may change of it in a locked world, and more: its body's flags, and whether it is a sensor.
-uint32_t ChangeableOf(const Mover &mover) {
-    return BodyInIsland::OtherFlags(mover.body) | (mover.fixture->IsSensor() ? 1u : 0u);
+uint32_t ChangeableOf(const FixtureMotion &motion) {
+    return BodyInIsland::OtherFlags(motion.body) | (motion.fixture->IsSensor() ? 1u : 0u);
 }
 
 /// Does a static body have a velocity, from its definition? It then moves on in each island that it is in, so
-/// that its sweep does not begin where it was looked at.
+/// that its sweep does not begin where its fixture was updated.
 bool MovesThoughStatic(const b2Body &body) {
     const b2Vec2 &v = body.GetLinearVelocity();
     return body.GetType() == b2_staticBody &&
@@ -101,30 +101,30 @@ constexpr double kReachRoundedUp = 1.0 + 0x1p-40;
 } // namespace
 
 /// The part that depends only on the shape. False if pairs of it have no budget.
-static bool Measure(Mover *mover, const b2PolygonShape &polygon) {
-    mover->radius = polygon.m_radius;
-    mover->shortest = 0.0f;
-    const bmr_vec2 pivot = mover->motion.pivot;
+static bool Measure(FixtureMotion *motion, const b2PolygonShape &polygon) {
+    motion->radius = polygon.m_radius;
+    motion->shortest = 0.0f;
+    const bmr_vec2 pivot = motion->mover.pivot;
     if (const bmr_convex32_block *big = AnyBigPolygon() ? BigPolygonOf(polygon) : nullptr) {
-        mover->motion.reach =
+        motion->mover.reach =
             (static_cast<double>(big->reach) + std::sqrt(bmr_dot(pivot, pivot))) * kReachRoundedUp;
         return polygon.m_radius >= 0.0f;
     }
-    mover->motion.reach = 0.0;
+    motion->mover.reach = 0.0;
     if (polygon.m_count < 3 || polygon.m_count > b2_maxPolygonVertices || !VerticesTellAll(polygon) ||
         !TurnsOnce(polygon) || !(polygon.m_radius >= 0.0f))
         return false;
     const Sides sides = MeasureSides(polygon, pivot);
-    mover->motion.reach = sides.reach * kReachRoundedUp;
-    mover->shortest = sides.shortest;
+    motion->mover.reach = sides.reach * kReachRoundedUp;
+    motion->shortest = sides.shortest;
     return true;
 }
 
-uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint64_t look) {
+uint32_t FixtureMotions::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint64_t stamp) {
     const auto keyOf = [this](uint32_t row) { return KeyOf(m_rows[row].fixture); };
     uint32_t row = m_byFixture.Find(KeyOf(fixture), keyOf);
     if (row != kNone) {
-        ++m_rows[row].records;
+        ++m_rows[row].pairs;
         return row;
     }
     m_byFixture.MakeRoom(keyOf);
@@ -134,44 +134,44 @@ uint32_t Movers::Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhas
         m_rows.Reserve(row + 1);
         m_moved.Reserve(row + 1);
         m_ends.Reserve(row + 1);
-        m_lookedAt.Reserve(row + 1);
+        m_stamps.Reserve(row + 1);
         m_bits.Reserve(row + 1);
         m_sweepBits.Reserve(row + 1);
         m_changeable.Reserve(row + 1);
         ++m_count;
     } else {
-        m_free = m_rows[row].watched;
+        m_free = m_rows[row].awake;
     }
-    Mover &mover = m_rows[row];
-    mover = {};
-    mover.fixture = fixture;
+    FixtureMotion &motion = m_rows[row];
+    motion = {};
+    motion.fixture = fixture;
     m_byFixture.Add(row, keyOf);
-    mover.body = fixture->GetBody();
-    mover.records = 1;
-    mover.proxy = ProxyOf(fixture);
+    motion.body = fixture->GetBody();
+    motion.pairs = 1;
+    motion.proxy = ProxyOf(fixture);
     m_ends[row] = 0;
-    m_sweepBits[row] = kStops; // as far as is known
+    m_sweepBits[row] = kBulletOrStatic; // as far as is known
     m_changeable[row] = 0;
     m_moved[row] = 0;
-    m_bits[row] = kStops; // no news: its pairs are new
-    Look(row, broadPhase, look, false);
+    m_bits[row] = kBulletOrStatic; // no news: its pairs are new
+    Update(row, broadPhase, stamp, false);
     return row;
 }
 
-void Movers::Release(uint32_t row) {
-    if (--m_rows[row].records > 0)
+void FixtureMotions::Release(uint32_t row) {
+    if (--m_rows[row].pairs > 0)
         return;
     m_byFixture.Remove(row, [this](uint32_t other) { return KeyOf(m_rows[other].fixture); });
     m_bits[row] = 0;
-    m_rows[row].watched = m_free; // the next free row
+    m_rows[row].awake = m_free; // the next free row
     m_free = row;
 }
 
-void Movers::Clear() {
+void FixtureMotions::Clear() {
     m_rows.Clear();
     m_moved.Clear();
     m_ends.Clear();
-    m_lookedAt.Clear();
+    m_stamps.Clear();
     m_bits.Clear();
     m_sweepBits.Clear();
     m_changeable.Clear();
@@ -180,114 +180,114 @@ void Movers::Clear() {
     m_free = kNone;
 }
 
-void Movers::Mark(uint32_t row) {
-    bmr_mover_mark(&m_rows[row].motion);
+void FixtureMotions::Mark(uint32_t row) {
+    bmr_mover_mark(&m_rows[row].mover);
 }
 
-/// Is the shape another one than at the last look? Measures it anew then. About 10 ns where it is the same.
-bool Movers::LookAtShape(Mover *mover, uint8_t *bits) const {
-    const b2PolygonShape *polygon = PolygonOf(*mover->fixture);
+/// Is the shape another one than at the last update? Measures it anew then. About 10 ns where it is the same.
+bool FixtureMotions::UpdateShape(FixtureMotion *motion, uint8_t *bits) const {
+    const b2PolygonShape *polygon = PolygonOf(*motion->fixture);
     if (polygon == nullptr) {
         *bits |= kPlain;
         return false;
     }
     const uint64_t digest = DigestOf(*polygon);
-    const bool changed = digest != mover->shape;
+    const bool changed = digest != motion->shape;
     if (changed) {
-        mover->shape = digest;
-        mover->sound = Measure(mover, *polygon);
+        motion->shape = digest;
+        motion->sound = Measure(motion, *polygon);
     }
-    if (!mover->sound)
+    if (!motion->sound)
         *bits |= kPlain;
     return changed;
 }
 
 /// Finds the row's band. True where it is another one than before: in a farther one its pairs' margins are
 /// too small; in a nearer one they become smaller, and what was proved of impacts went by the larger. A
-/// nearer one it is only when well within that, or a body that trembles about the border would be looked at
+/// nearer one it is only when well within that, or a body that trembles about the border would be measured
 /// anew each time.
-bool Movers::ChangesBand(Mover *mover, uint8_t *bits) {
+bool FixtureMotions::ChangesBand(FixtureMotion *motion, uint8_t *bits) {
     constexpr double kReach0 = static_cast<double>(kBandReach), kWellWithin = 0.75;
-    const b2Vec2 place = b2Abs(mover->place.p);
+    const b2Vec2 place = b2Abs(motion->place.p);
     const double reach =
         static_cast<double>(kBandReachOfExtent) *
-        (mover->motion.reach + std::fabs(mover->motion.pivot.x) + std::fabs(mover->motion.pivot.y));
+        (motion->mover.reach + std::fabs(motion->mover.pivot.x) + std::fabs(motion->mover.pivot.y));
     const double farthest = static_cast<double>(b2Max(place.x, place.y)) + reach;
-    if (farthest <= kReach0 && mover->band == 0) // nearly all
+    if (farthest <= kReach0 && motion->band == 0) // nearly all
         return false;
-    const uint8_t before = mover->band;
+    const uint8_t before = motion->band;
     // (A number that is none is far.)
     if (!(reach <= kReach0 && farthest <= std::ldexp(kReach0, kBands - 1))) {
         *bits |= kPlain;
-        mover->band = kBands;
-        return mover->band != before;
+        motion->band = kBands;
+        return motion->band != before;
     }
-    mover->band = std::min<uint8_t>(mover->band, kBands - 1);
-    while (mover->band > 0 && farthest <= kWellWithin * std::ldexp(kReach0, mover->band - 1))
-        --mover->band;
-    while (farthest > std::ldexp(kReach0, mover->band))
-        ++mover->band;
-    return mover->band != before;
+    motion->band = std::min<uint8_t>(motion->band, kBands - 1);
+    while (motion->band > 0 && farthest <= kWellWithin * std::ldexp(kReach0, motion->band - 1))
+        --motion->band;
+    while (farthest > std::ldexp(kReach0, motion->band))
+        ++motion->band;
+    return motion->band != before;
 }
 
-void Movers::Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look) {
-    Mover &mover = m_rows[row];
-    const uint32_t moved = mover.motion.moved, turned = mover.motion.turned;
-    const bmr_pose pose = PoseOf(*mover.body);
-    const double reach = mover.motion.reach;
-    // The pivot stays, or is another one at the look that follows; with it goes the reach.
-    bmr_mover_start(&mover.motion, &pose, mover.motion.pivot, reach, kUnits);
-    mover.place = mover.body->GetTransform();
-    mover.motion.moved = moved;
-    mover.motion.turned = turned;
-    mover.proved = 1; // for this look
-    Look(row, broadPhase, look, false);
-    mover.proved = 0;
+void FixtureMotions::Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t stamp) {
+    FixtureMotion &motion = m_rows[row];
+    const uint32_t moved = motion.mover.moved, turned = motion.mover.turned;
+    const bmr_pose pose = PoseOf(*motion.body);
+    const double reach = motion.mover.reach;
+    // The pivot stays, or is another one at the update that follows; with it goes the reach.
+    bmr_mover_start(&motion.mover, &pose, motion.mover.pivot, reach, kUnits);
+    motion.place = motion.body->GetTransform();
+    motion.mover.moved = moved;
+    motion.mover.turned = turned;
+    motion.proved = 1; // for this update
+    Update(row, broadPhase, stamp, false);
+    motion.proved = 0;
     // No pair uses the row yet: its beginning is no mark.
-    mover.motion.moved = m_moved[row] = moved;
+    motion.mover.moved = m_moved[row] = moved;
     m_bits[row] &= static_cast<uint8_t>(~(kChanged | kChangedLate));
 }
 
-void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, bool late) {
-    Mover &mover = m_rows[row];
-    const b2Body &body = *mover.body;
+void FixtureMotions::Update(uint32_t row, const b2BroadPhase &broadPhase, uint64_t stamp, bool late) {
+    FixtureMotion &motion = m_rows[row];
+    const b2Body &body = *motion.body;
     const uint8_t before = m_bits[row];
-    uint8_t bits = FlagsOf(mover) | kLookedAt;
-    m_lookedAt[row] = look;
-    m_newStops = m_newStops || (bits & ~before & kStops) != 0;
-    if (mover.proved == 0) {
+    uint8_t bits = FlagsOf(motion) | kUpdated;
+    m_stamps[row] = stamp;
+    m_newBullets = m_newBullets || (bits & ~before & kBulletOrStatic) != 0;
+    if (motion.proved == 0) {
         m_bits[row] = bits;
         return;
     }
 
     const b2Transform &xf = body.GetTransform();
-    const bool stays = SamePlace(xf, mover.place);
+    const bool stays = SamePlace(xf, motion.place);
     const bmr_pose pose = PoseOf(body);
     if (!stays) {
-        bmr_mover_look(&mover.motion, &pose, kUnits);
-        mover.place = xf;
+        bmr_mover_look(&motion.mover, &pose, kUnits);
+        motion.place = xf;
     }
     bool changed = ((bits ^ before) & kIsSensor) != 0 || (!late && (before & kChangedLate) != 0);
     const bmr_vec2 pivot = Double(body.GetLocalCenter());
-    if (pivot.x != mover.motion.pivot.x || pivot.y != mover.motion.pivot.y) {
+    if (pivot.x != motion.mover.pivot.x || pivot.y != motion.mover.pivot.y) {
         // The sums so far are those of the fixture's points, about any pivot.
-        mover.motion.pivot = pivot;
-        mover.motion.center = bmr_mover_place(&pose, pivot, kUnits);
-        mover.shape = 0; // its reach is another one
+        motion.mover.pivot = pivot;
+        motion.mover.center = bmr_mover_place(&pose, pivot, kUnits);
+        motion.shape = 0; // its reach is another one
         changed = true;
     }
-    changed = LookAtShape(&mover, &bits) || changed;
-    changed = ChangesBand(&mover, &bits) || changed;
+    changed = UpdateShape(&motion, &bits) || changed;
+    changed = ChangesBand(&motion, &bits) || changed;
     // Its pairs with others that sleep are to be put out of sight.
     const bool fellAsleep = (before & kActive) != 0 && (bits & kActive) == 0;
     bool mark = changed || fellAsleep;
-    if (mover.proxy == b2BroadPhase::e_nullProxy) // by now, if its body is in the world again
-        mover.proxy = ProxyOf(mover.fixture);
-    if (mover.proxy != b2BroadPhase::e_nullProxy) {
-        const b2AABB &box = broadPhase.GetFatAABB(mover.proxy);
+    if (motion.proxy == b2BroadPhase::e_nullProxy) // by now, if its body is in the world again
+        motion.proxy = ProxyOf(motion.fixture);
+    if (motion.proxy != b2BroadPhase::e_nullProxy) {
+        const b2AABB &box = broadPhase.GetFatAABB(motion.proxy);
         // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits, of what is no number, too
-        if (std::memcmp(&box, &mover.box, sizeof box) != 0) {
-            mover.box = box;
+        if (std::memcmp(&box, &motion.box, sizeof box) != 0) {
+            motion.box = box;
             mark = true;
         }
     }
@@ -297,43 +297,43 @@ void Movers::Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, b
         bits |= before & (kChanged | kChangedLate);
     if (mark)
         Mark(row);
-    mover.late = late ? mover.late + (mover.motion.moved - m_moved[row]) : 0;
-    m_sumsLost = m_sumsLost || mover.late > kMostLate;
+    motion.late = late ? motion.late + (motion.mover.moved - m_moved[row]) : 0;
+    m_sumsLost = m_sumsLost || motion.late > kMostLate;
     m_bits[row] = bits;
-    m_moved[row] = mover.motion.moved;
+    m_moved[row] = motion.mover.moved;
 }
 
-bool Movers::ConfirmAsBefore(uint32_t row, uint64_t look) {
-    constexpr uint8_t kFlags = kActive | kStops | kIsSensor;
-    const Mover &mover = m_rows[row];
-    if (mover.proved == 0 || (m_bits[row] & kLookedAt) == 0 || (FlagsOf(mover) ^ m_bits[row]) & kFlags)
+bool FixtureMotions::ConfirmAsBefore(uint32_t row, uint64_t stamp) {
+    constexpr uint8_t kFlags = kActive | kBulletOrStatic | kIsSensor;
+    const FixtureMotion &motion = m_rows[row];
+    if (motion.proved == 0 || (m_bits[row] & kUpdated) == 0 || (FlagsOf(motion) ^ m_bits[row]) & kFlags)
         return false;
-    const b2PolygonShape *polygon = PolygonOf(*mover.fixture);
-    if (polygon != nullptr && DigestOf(*polygon) != mover.shape)
+    const b2PolygonShape *polygon = PolygonOf(*motion.fixture);
+    if (polygon != nullptr && DigestOf(*polygon) != motion.shape)
         return false;
-    m_lookedAt[row] = look;
+    m_stamps[row] = stamp;
     return true;
 }
 
-void Movers::FindSweepBits(uint32_t row, uint64_t look) {
-    m_rows[row].sweptAt = look;
+void FixtureMotions::FindSweepBits(uint32_t row, uint64_t stamp) {
+    m_rows[row].sweptAt = stamp;
     m_sweepBits[row] = FlagsOf(m_rows[row]);
-    m_newStops = m_newStops || (m_sweepBits[row] & ~m_bits[row] & kStops) != 0;
+    m_newBullets = m_newBullets || (m_sweepBits[row] & ~m_bits[row] & kBulletOrStatic) != 0;
 }
 
-void Movers::LookAtAllSweeps(uint64_t look) {
+void FixtureMotions::UpdateAllSweeps(uint64_t stamp) {
     for (uint32_t row = 0; row < m_count; ++row) {
         PrefetchBody(row + kBodiesAhead);
-        if (m_rows[row].records == 0)
+        if (m_rows[row].pairs == 0)
             continue;
-        FindSweepBits(row, look);
+        FindSweepBits(row, stamp);
         m_changeable[row] = static_cast<uint16_t>(ChangeableOf(m_rows[row]));
     }
 }
 
-uint32_t Movers::NextNewSweep(uint32_t row) {
+uint32_t FixtureMotions::NextChangedSweep(uint32_t row) {
     for (; row < m_count; ++row) {
-        if (m_rows[row].records == 0)
+        if (m_rows[row].pairs == 0)
             continue;
         const uint32_t now = ChangeableOf(m_rows[row]);
         if (now == m_changeable[row])
@@ -344,27 +344,27 @@ uint32_t Movers::NextNewSweep(uint32_t row) {
     return kNone;
 }
 
-void Movers::FindEnd(uint32_t row, bool careful, uint64_t look) {
-    Mover &mover = m_rows[row];
-    const b2Body &body = *mover.body;
+void FixtureMotions::FindEnd(uint32_t row, bool careful, uint64_t stamp) {
+    FixtureMotion &motion = m_rows[row];
+    const b2Body &body = *motion.body;
     const b2Sweep &sweep = SweepOf(body);
-    mover.endedAt = look;
+    motion.endedAt = stamp;
     const double a = static_cast<double>(sweep.a), a0 = static_cast<double>(sweep.a0);
-    // The world was locked since the look. So the body turns from where it was then or, if it sleeps, has
+    // The world was locked since the update. So the body turns from where it was then or, if it sleeps, has
     // turned to there.
     const double turn = std::fabs(a - a0);
     const b2Vec2 from = b2Abs(sweep.c0), to = b2Abs(sweep.c);
     const double farthest = static_cast<double>(b2Max(b2Max(from.x, from.y), b2Max(to.x, to.y)));
-    const b2PolygonShape *polygon = careful ? PolygonOf(*mover.fixture) : nullptr;
-    const double reach = std::ldexp(static_cast<double>(kImpactReach), mover.band);
-    const bool known = (polygon == nullptr || DigestOf(*polygon) == mover.shape) &&
-                       farthest + mover.motion.reach <= reach &&
+    const b2PolygonShape *polygon = careful ? PolygonOf(*motion.fixture) : nullptr;
+    const double reach = std::ldexp(static_cast<double>(kImpactReach), motion.band);
+    const bool known = (polygon == nullptr || DigestOf(*polygon) == motion.shape) &&
+                       farthest + motion.mover.reach <= reach &&
                        std::fabs(a) <= static_cast<double>(kImpactAngle) &&
                        std::fabs(a0) <= static_cast<double>(kImpactAngle) && !MovesThoughStatic(body) &&
-                       Double(sweep.localCenter).x == mover.motion.pivot.x &&
-                       Double(sweep.localCenter).y == mover.motion.pivot.y;
-    m_ends[row] = mover.motion.moved +
-                  (known ? bmr_mover_sweep(&mover.motion, Double(sweep.c0), Double(sweep.c), turn, kUnits)
+                       Double(sweep.localCenter).x == motion.mover.pivot.x &&
+                       Double(sweep.localCenter).y == motion.mover.pivot.y;
+    m_ends[row] = motion.mover.moved +
+                  (known ? bmr_mover_sweep(&motion.mover, Double(sweep.c0), Double(sweep.c), turn, kUnits)
                          : BMR_BUDGET_MARK);
 }
 

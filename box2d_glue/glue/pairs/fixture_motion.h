@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_GLUE_MOVERS_H
-#define BOOMERANG_GLUE_MOVERS_H
+#ifndef BOOMERANG_GLUE_FIXTURE_MOTION_H
+#define BOOMERANG_GLUE_FIXTURE_MOTION_H
 
 #include <cstddef>
 #include <cstdint>
@@ -23,100 +23,101 @@ constexpr float kImpactReach = 256.0f * b2_lengthUnitsPerMeter, kImpactAngle = 5
 /// Budgets count in these (core/budget): 2^-16 of a metre.
 constexpr double kUnits = 65536.0 / static_cast<double>(b2_lengthUnitsPerMeter);
 
-/// A fixture as it was at the last look, and how far it has moved, for all its contacts. One row a fixture
+/// A fixture as it was at its last update, and how far it has moved, for all its contacts. One row a fixture
 /// that has contacts. As long as no contact of it has a proof that it may end, only its body's flags are
 /// read.
 ///
 /// A game does most things without a call that we could see: it moves and wakes bodies and makes them bullets
-/// by inline functions, and writes to vertices and radii in place. So a row holds what the last look read,
-/// and the next look compares.
-struct alignas(64) Mover {
+/// by inline functions, and writes to vertices and radii in place. So a row holds what the last update
+/// read, and the next update compares.
+struct alignas(64) FixtureMotion {
     // A renewal reads these two cache lines. The second one has what is compared in the middle of a pass.
-    bmr_mover motion;
+    bmr_mover mover;
     b2AABB box;     ///< the fat one of its proxy
     float radius;   ///< skin
     float shortest; ///< length of the shortest side; 0 if it is not known
-    uint64_t shape; ///< a digest of all that contacts read of the shape; see LookAtShape
+    uint64_t shape; ///< a digest of all that contacts read of the shape; see UpdateShape
     const b2Body *body;
     const b2Fixture *fixture;
-    uint32_t records; ///< contacts of it
-    uint32_t proved;  ///< contacts that have a line
-    uint32_t watched; ///< of these, the ones of which one body at least is awake
+    uint32_t pairs;  ///< contacts of it
+    uint32_t proved; ///< contacts that have a line
+    uint32_t awake;  ///< of these, the ones of which one body at least is awake
 
-    // A look compares and writes these, too.
+    // An update compares and writes these, too.
     int32 proxy;       ///< b2BroadPhase::e_nullProxy where it has none or several: then there is no box here
-    b2Transform place; ///< of the body, at the last look
+    b2Transform place; ///< of the body, at the last update
     bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
     uint8_t
         band; ///< how far out it is (glue/proofs/thresholds.h): as far as this, or less; kBands: beyond all
     uint32_t late;    ///< units that were added in the middle of the present pass
-    uint64_t sweptAt; ///< the ledger's count of looks when its sweep had its last one
+    uint64_t sweptAt; ///< the table's stamp when its sweep was last compared
     uint64_t endedAt; ///< the same for how far that may come
 };
-static_assert(sizeof(void *) < 8 || (offsetof(Mover, place) == 128 && sizeof(Mover) == 192),
+static_assert(sizeof(void *) < 8 || (offsetof(FixtureMotion, place) == 128 && sizeof(FixtureMotion) == 192),
               "three cache lines");
 
 /// The bits of a row that the loop over pairs reads.
-enum MoverBit : uint8_t {
-    kActive = 1,   ///< its body is awake, and not static
-    kStops = 2,    ///< its body is a bullet, or not dynamic: nothing is to tunnel through it
-    kIsSensor = 4, ///< as the fixture says
-    kPlain = 8,    ///< no budget for its contacts: no polygon, a broken one, or farther out than all bands
+enum MotionBit : uint8_t {
+    kActive = 1,         ///< its body is awake, and not static
+    kBulletOrStatic = 2, ///< its body is a bullet, or not dynamic: nothing is to tunnel through it
+    kIsSensor = 4,       ///< as the fixture says
+    kPlain = 8, ///< no budget for its contacts: no polygon, a broken one, or farther out than all bands
     kChanged =
-        16, ///< another shape than at the look before, or another band: lines of its pairs prove nothing
+        16, ///< another shape than at the update before, or another band: lines of its pairs prove nothing
     kChangedLate = 32, ///< the same, seen in the middle of a pass: to be said again in the next one
-    kLookedAt = 64     ///< since the last pass over pairs began
+    kUpdated = 64      ///< since the last pass over pairs began
 };
 
 /// The rows of one world. Rows are numbered; a number is used again when the last contact of a fixture is
 /// gone.
-class Movers {
+class FixtureMotions {
 public:
     /// The row of this fixture, made if there is none. Counts one contact more.
-    uint32_t Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint64_t look);
+    uint32_t Acquire(const b2Fixture *fixture, const b2BroadPhase &broadPhase, uint64_t stamp);
     /// One contact less; the last one frees the row.
     void Release(uint32_t row);
     void Clear();
 
     /// Compares the row with what its fixture and body are now: sums, bits, box. Marks it if all its contacts
-    /// are to be looked at.
-    void Look(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look, bool late);
-    /// The same for a row that was looked at in this pass, of a world that was locked ever since: Box2D then
+    /// are to be updated.
+    void Update(uint32_t row, const b2BroadPhase &broadPhase, uint64_t stamp, bool late);
+    /// The same for a row that was updated in this pass, of a world that was locked ever since: Box2D then
     /// refuses to move bodies, and nothing changes their boxes. What a game still can change is compared, a
-    /// third of a look. False if that has changed: then look.
-    bool ConfirmAsBefore(uint32_t row, uint64_t look);
+    /// third of an update. False if that has changed: then update.
+    bool ConfirmAsBefore(uint32_t row, uint64_t stamp);
     /// A contact of the row gets a line. With the first one the row is read in full, and what it finds is no
     /// motion.
-    void AddProof(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look) {
+    void AddProof(uint32_t row, const b2BroadPhase &broadPhase, uint64_t stamp) {
         if (m_rows[row].proved == 0)
-            Begin(row, broadPhase, look);
+            Begin(row, broadPhase, stamp);
         ++m_rows[row].proved;
     }
     void DropProof(uint32_t row) { --m_rows[row].proved; }
     /// Sets SweepBits.
-    void LookAtSweep(uint32_t row, uint64_t look) {
-        if (m_rows[row].sweptAt != look)
-            FindSweepBits(row, look);
+    void UpdateSweep(uint32_t row, uint64_t stamp) {
+        if (m_rows[row].sweptAt != stamp)
+            FindSweepBits(row, stamp);
     }
-    void LookAtAllSweeps(uint64_t look);
+    void UpdateAllSweeps(uint64_t stamp);
     /// Reads the flags of sweeps anew, from this row on up to one that has others than before; kNone where
     /// there is none.
-    uint32_t NextNewSweep(uint32_t row);
+    uint32_t NextChangedSweep(uint32_t row);
     /// Sets End: how far the row can come in the sweep of its body. The world is the one, and in the step, of
-    /// the last look, and was locked ever since. `careful`: code of the game ran, and the shape is compared.
-    void LookAtEnd(uint32_t row, bool careful, uint64_t look) {
-        if (m_rows[row].endedAt != look)
-            FindEnd(row, careful, look);
+    /// the last update, and was locked ever since. `careful`: code of the game ran, and the shape is
+    /// compared.
+    void UpdateEnd(uint32_t row, bool careful, uint64_t stamp) {
+        if (m_rows[row].endedAt != stamp)
+            FindEnd(row, careful, stamp);
     }
 
     /// Code of the game moved or changed a row so often in the middle of a pass that sums may wrap before all
     /// pairs were asked: every pair is due.
     bool AreSumsLost() const { return m_sumsLost; }
     void ForgetSums() { m_sumsLost = false; }
-    /// Has a row kStops that it had not at its look before? Since this was asked last.
-    bool TakeNewStops() {
-        const bool taken = m_newStops;
-        m_newStops = false;
+    /// Has a row kBulletOrStatic that it had not at its update before? Since this was asked last.
+    bool TakeNewBullets() {
+        const bool taken = m_newBullets;
+        m_newBullets = false;
         return taken;
     }
 
@@ -126,32 +127,32 @@ public:
     int Band(uint32_t a, uint32_t b) const { return b2Max(m_rows[a].band, m_rows[b].band); }
 
     static constexpr uint32_t kNone = 0xffffffffu;
-    /// Rows are numbered below this; some may be free (records == 0).
+    /// Rows are numbered below this; some may be free (pairs == 0).
     uint32_t Count() const { return m_count; }
 
-    Mover &operator[](uint32_t row) { return m_rows[row]; }
-    const Mover &operator[](uint32_t row) const { return m_rows[row]; }
+    FixtureMotion &operator[](uint32_t row) { return m_rows[row]; }
+    const FixtureMotion &operator[](uint32_t row) const { return m_rows[row]; }
     uint32_t Moved(uint32_t row) const { return m_moved[row]; }
-    /// kActive, kStops and kIsSensor when its sweep was looked at.
+    /// kActive, kBulletOrStatic and kIsSensor when its sweep was last compared.
     uint8_t SweepBits(uint32_t row) const { return m_sweepBits[row]; }
     /// Moved, and what the sweep may add.
     uint32_t End(uint32_t row) const { return m_ends[row]; }
-    /// The ledger's count of looks when this row had its last one.
-    uint64_t LookedAt(uint32_t row) const { return m_lookedAt[row]; }
+    /// The table's stamp when this row was last updated.
+    uint64_t StampOf(uint32_t row) const { return m_stamps[row]; }
     uint8_t Bits(uint32_t row) const { return m_bits[row]; }
     void SetBits(uint32_t row, uint8_t bits) { m_bits[row] = bits; }
-    /// A pass begins that does not look at this row.
-    void PassOver(uint32_t row) { m_bits[row] &= static_cast<uint8_t>(~kLookedAt); }
+    /// A pass begins that does not update this row.
+    void PassOver(uint32_t row) { m_bits[row] &= static_cast<uint8_t>(~kUpdated); }
     bool IsActive(uint32_t row) const { return (m_bits[row] & kActive) != 0; }
     /// Is its body awake by now? (A step's own code and listeners wake bodies.)
     bool IsActiveNow(uint32_t row) const {
         const b2Body *body = m_rows[row].body;
         return body->IsAwake() && body->GetType() != b2_staticBody;
     }
-    /// Ahead of a look: asks memory for the body and the fixture; and, for a row that this was done for some
-    /// rows ago, for the shape.
+    /// Ahead of an update: asks memory for the body and the fixture; and, for a row that this was done for
+    /// some rows ago, for the shape.
     void Prefetch(uint32_t row) const {
-        if (row >= m_count || m_rows[row].records == 0)
+        if (row >= m_count || m_rows[row].pairs == 0)
             return;
         BMR_PREFETCH(m_rows[row].body);
         BMR_PREFETCH(m_rows[row].fixture);
@@ -171,20 +172,20 @@ public:
     }
 
 private:
-    void FindSweepBits(uint32_t row, uint64_t look);
-    void FindEnd(uint32_t row, bool careful, uint64_t look);
-    void Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t look);
-    bool LookAtShape(Mover *mover, uint8_t *bits) const;
-    static bool ChangesBand(Mover *mover, uint8_t *bits);
+    void FindSweepBits(uint32_t row, uint64_t stamp);
+    void FindEnd(uint32_t row, bool careful, uint64_t stamp);
+    void Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t stamp);
+    bool UpdateShape(FixtureMotion *motion, uint8_t *bits) const;
+    static bool ChangesBand(FixtureMotion *motion, uint8_t *bits);
     void Mark(uint32_t row);
 
-    Column<Mover> m_rows;
+    Column<FixtureMotion> m_rows;
     Column<uint32_t> m_moved, m_ends;
-    Column<uint64_t> m_lookedAt;
+    Column<uint64_t> m_stamps;
     Column<uint8_t> m_bits, m_sweepBits;
-    Column<uint16_t> m_changeable; ///< see NextNewSweep
+    Column<uint16_t> m_changeable; ///< see NextChangedSweep
     KeyTable m_byFixture;
-    bool m_sumsLost = false, m_newStops = false;
+    bool m_sumsLost = false, m_newBullets = false;
     uint32_t m_count = 0, m_free = kNone;
 };
 

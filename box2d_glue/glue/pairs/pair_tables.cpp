@@ -10,22 +10,21 @@
 #include "base/memory.h"
 #include "base/private_members.h"
 #include "glue/pairs/pair_table.h"
-#include "start/current_step.h"
 #include "start/install.h"
 
 namespace bmr {
 
-std::atomic<uint64_t> internal::changesOfLedgers{0};
+std::atomic<uint64_t> internal::changesOfPairTables{0};
 
 namespace {
 
 /// A number in a world's own memory, in bytes between its members that Box2D never reads. A game that puts
-/// the memory of a world back to what it was (rollback) puts the number back with it. A ledger that knows
+/// the memory of a world back to what it was (rollback) puts the number back with it. A table that knows
 /// another number then knows another past.
 ///
 /// The process uses no number twice. There are 8 bytes on 64 bits: 7 behind m_allowSleep, and 1 behind
 /// m_stepComplete. On 32 bits there are 3 and 1. Two billion steps use up these numbers, and worlds are
-/// stepped without a ledger from then on. A compiler that leaves no bytes between members leaves no room.
+/// stepped without a table from then on. A compiler that leaves no bytes between members leaves no room.
 class WorldSign {
 public:
     using Number = uintptr_t;
@@ -62,8 +61,19 @@ private:
     }
 };
 
+/// No two of the process are the same. Each thread takes many at a time: threads that step small worlds would
+/// wait for each other otherwise.
+uint64_t NextNumber() {
+    constexpr uint64_t kAtOnce = 1024;
+    static std::atomic<uint64_t> taken{0};
+    static thread_local uint64_t last = 0;
+    if (last % kAtOnce == 0)
+        last = taken.fetch_add(kAtOnce, std::memory_order_relaxed);
+    return ++last;
+}
+
 bool WorldSign::Renew(b2ContactManager *manager, Number *written) {
-    const uint64_t next = NextStep();
+    const uint64_t next = NextNumber();
     const auto number = static_cast<Number>(next);
     if (number != next)
         return false;
@@ -74,13 +84,15 @@ bool WorldSign::Renew(b2ContactManager *manager, Number *written) {
     *written = Read(manager);
     return true;
 }
-struct Entry : Ledger {
-    using Ledger::Ledger;
+
+struct Entry : PairTable {
+    using PairTable::PairTable;
     static void *operator new(size_t bytes) { return TakeMemory(nullptr, bytes); }
     static void operator delete(void *entry) { std::free(entry); }
     void Leave() { m_left = true; }
     WorldSign::Number sign = 0;
     Entry *next = nullptr;
+    bool isDropped = false; ///< and goes with the last pass that has it
 };
 
 // Chains of worlds, by address. Programs have a few; some have thousands.
@@ -89,19 +101,15 @@ Entry *chains[1u << kChainBits];
 
 struct Remembered {
     const b2ContactManager *manager;
-    Entry *ledger;
+    Entry *table;
     uint64_t changes;
 };
 thread_local Remembered remembered = {nullptr, nullptr, 0};
 
-Entry **ChainOf(const b2ContactManager *manager) {
-    const uint64_t mixed = static_cast<uint64_t>(reinterpret_cast<uintptr_t>(manager)) * 0x9e3779b97f4a7c15u;
-    return &chains[mixed >> (64u - kChainBits)];
-}
-
 /// The link that leads to it, or the chain's last. Locked.
 Entry **LinkTo(const b2ContactManager *manager) {
-    Entry **link = ChainOf(manager);
+    const uint64_t mixed = static_cast<uint64_t>(reinterpret_cast<uintptr_t>(manager)) * 0x9e3779b97f4a7c15u;
+    Entry **link = &chains[mixed >> (64u - kChainBits)];
     while (*link != nullptr && (*link)->Manager() != manager)
         link = &(*link)->next;
     return link;
@@ -114,39 +122,46 @@ void Drop(const b2ContactManager *manager) {
     if (ended == nullptr)
         return;
     *link = ended->next;
-    internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
+    internal::changesOfPairTables.fetch_add(1, std::memory_order_release);
     ended->Leave();
+    ended->isDropped = true;
     if (!ended->IsInPass())
         delete ended;
 }
 
-} // namespace
-
-Ledger *internal::FindLedgerOfSome(const b2ContactManager *manager) {
-    const uint64_t now = changesOfLedgers.load(std::memory_order_acquire);
+/// One that the world has left is found, too.
+Entry *FindAnyEntry(const b2ContactManager *manager) {
+    const uint64_t now = internal::changesOfPairTables.load(std::memory_order_acquire);
     if (remembered.manager != manager || remembered.changes != now) {
         const HoldsProcessLock lock;
         remembered = {manager, *LinkTo(manager), now};
     }
-    Entry *const ledger = remembered.ledger;
-    if (BMR_RARELY(ledger != nullptr && ledger->sign != WorldSign::Read(manager))) {
+    Entry *const table = remembered.table;
+    if (BMR_RARELY(table != nullptr && table->sign != WorldSign::Read(manager))) {
         Drop(manager);
         return nullptr;
     }
-    return ledger;
+    return table;
 }
 
-Ledger *FindAndSignLedger(b2ContactManager *manager) {
-    auto *const ledger = static_cast<Entry *>(FindLedger(manager));
-    if (ledger == nullptr || WorldSign::Renew(manager, &ledger->sign))
-        return ledger;
+} // namespace
+
+PairTable *internal::FindPairTableOfSome(const b2ContactManager *manager) {
+    Entry *const table = FindAnyEntry(manager);
+    return table != nullptr && !table->WasLeft() ? table : nullptr;
+}
+
+PairTable *FindAndSignPairTable(b2ContactManager *manager) {
+    auto *const table = static_cast<Entry *>(FindPairTable(manager));
+    if (table == nullptr || WorldSign::Renew(manager, &table->sign))
+        return table;
     Drop(manager);
     return nullptr;
 }
 
-Ledger *MakeLedger(b2ContactManager *manager) {
-    if (Ledger *ledger = FindLedger(manager))
-        return ledger;
+PairTable *MakePairTable(b2ContactManager *manager) {
+    if (Entry *const table = FindAnyEntry(manager))
+        return table->WasLeft() ? nullptr : table;
     auto *const made = new Entry(manager);
     if (!WorldSign::Renew(manager, &made->sign)) {
         delete made;
@@ -154,55 +169,60 @@ Ledger *MakeLedger(b2ContactManager *manager) {
     }
     const HoldsProcessLock lock;
     *LinkTo(manager) = made;
-    internal::changesOfLedgers.fetch_add(1, std::memory_order_release);
+    internal::changesOfPairTables.fetch_add(1, std::memory_order_release);
     return made;
 }
 
-Ledger *LedgerForStep(b2ContactManager *manager) {
-    DropLedgerOfEmpty(manager);
-    if (Ledger *const ledger = FindAndSignLedger(manager))
-        return ledger;
-    return manager->m_contactCount >= CostOfAPass() ? MakeLedger(manager) : nullptr;
+PairTable *PairTableForStep(b2ContactManager *manager) {
+    DropPairTableOfEmpty(manager);
+    if (const Entry *const entry = FindAnyEntry(manager)) {
+        if (entry->IsInPass())
+            return nullptr;
+        if (entry->WasLeft())
+            Drop(manager);
+    }
+    if (PairTable *const table = FindAndSignPairTable(manager))
+        return table;
+    return manager->m_contactCount >= CostOfAPass() ? MakePairTable(manager) : nullptr;
 }
 
-void DropLedgerOfEmpty(const b2ContactManager *manager) {
-    if (manager->m_contactCount > 0)
+void DropPairTableOfEmpty(const b2ContactManager *manager) {
+    if (manager->m_contactCount > 0 || !AnyPairTable())
         return;
-    const Ledger *const ledger = FindLedger(manager);
-    if (ledger != nullptr && !ledger->IsInPass())
+    const Entry *const table = FindAnyEntry(manager);
+    if (table != nullptr && !table->IsInPass())
         Drop(manager);
 }
 
 void LeaveTable(const b2ContactManager *manager) {
-    if (Ledger *const ledger = FindLedger(manager)) {
-        ledger->GiveMarksBack();
-        Drop(manager);
+    if (PairTable *const table = FindPairTable(manager)) {
+        table->GiveMarksBack();
+        static_cast<Entry *>(table)->Leave();
     }
 }
 
-Ledger::Pass::~Pass() {
-    if (!m_complete && !m_ledger->WasLeft())
-        LeaveTable(m_ledger->m_manager);
-    if (--m_ledger->m_passes == 0 && m_ledger->WasLeft())
-        delete static_cast<Entry *>(m_ledger);
+PairTable::Pass::~Pass() {
+    if (!m_complete && !m_table->WasLeft())
+        LeaveTable(m_table->m_manager);
+    auto *const entry = static_cast<Entry *>(m_table);
+    if (--m_table->m_passes == 0 && entry->isDropped)
+        delete entry;
 }
 
-void Ledger::Ending::Complete() {
-    if (!m_ledger->WasLeft())
-        m_ledger->Remove(m_number, m_contact);
-    else
-        DropLedger(m_ledger->m_manager); // made by a step meanwhile: it may know the contact
+void PairTable::Ending::Complete() {
+    if (!m_table->WasLeft() && m_number != kNone && m_table->m_contacts[m_number] == m_contact)
+        m_table->Remove(m_number);
     Pass::Complete();
 }
 
-void DropLedger(const b2ContactManager *manager) {
-    if (AnyLedger())
+void DropPairTable(const b2ContactManager *manager) {
+    if (AnyPairTable())
         Drop(manager);
 }
 
 void Forget(b2World *world) {
     if (world != nullptr)
-        DropLedger(&world->GetContactManager());
+        DropPairTable(&world->GetContactManager());
 }
 
 } // namespace bmr

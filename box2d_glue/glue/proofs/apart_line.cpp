@@ -11,7 +11,6 @@
 #include "glue/proofs/thresholds.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/shapes32.h"
-#include "start/current_step.h"
 #include "start/settings.h"
 
 namespace bmr {
@@ -29,7 +28,7 @@ struct Placed {
     bmr_pose pose;
     double reach;
 
-    explicit Placed(const Mover &mover) : Placed(*mover.fixture, mover.motion.reach) {}
+    explicit Placed(const FixtureMotion &motion) : Placed(*motion.fixture, motion.mover.reach) {}
     Placed(const b2Fixture &fixture, double reachOfVertices)
         : shape(static_cast<const b2PolygonShape *>(fixture.GetShape())),
           big(AnyBigPolygon() ? BigPolygonOf(*shape) : nullptr), reach(reachOfVertices) {
@@ -101,31 +100,31 @@ bool Normalize(bmr_vec2 *d) {
 }
 
 /// How far a vertex may be from its body's origin.
-double ReachOf(const Mover &mover) {
-    return mover.motion.reach + std::fabs(mover.motion.pivot.x) + std::fabs(mover.motion.pivot.y);
+double ReachOf(const FixtureMotion &motion) {
+    return motion.mover.reach + std::fabs(motion.mover.pivot.x) + std::fabs(motion.mover.pivot.y);
 }
 
 /// By how much b2TimeOfImpact's arithmetic may be off, for one of the two and for coordinates up to
 /// `farthest` (glue/proofs/sweep_apart.cpp has the same for the coordinates of a step).
-double ImpactRounding(const Mover &mover, double farthest) {
+double ImpactRounding(const FixtureMotion &motion, double farthest) {
     return static_cast<double>(kUnit) *
            (static_cast<double>(kErrorPerCoordinate) * farthest +
-            static_cast<double>(kErrorPerReach) * ReachOf(mover) +
-            static_cast<double>(kErrorPerAngle * kImpactAngle) * mover.motion.reach);
+            static_cast<double>(kErrorPerReach) * ReachOf(motion) +
+            static_cast<double>(kErrorPerAngle * kImpactAngle) * motion.mover.reach);
 }
-double ImpactTilt(const Mover &mover, double farthest) {
+double ImpactTilt(const FixtureMotion &motion, double farthest) {
     return static_cast<double>(kUnit) * (static_cast<double>(kTiltPerCoordinate) * farthest +
-                                         static_cast<double>(kTiltPerReach) * ReachOf(mover));
+                                         static_cast<double>(kTiltPerReach) * ReachOf(motion));
 }
 
 /// Does a distance of `threshold` keep b2TimeOfImpact from finding the two touching, as far out as
 /// kImpactReach of `band`?
-bool KeepsFromImpact(const Mover &a, const Mover &b, int band, double threshold) {
+bool KeepsFromImpact(const FixtureMotion &a, const FixtureMotion &b, int band, double threshold) {
     const double farthest = std::ldexp(static_cast<double>(kImpactReach), band);
     if (!(a.shortest >= kShortestSide && b.shortest >= kShortestSide))
         return false; // and of big polygons, whose sides are not measured
-    const double lever = 1.0 + 2.0 * std::max(a.motion.reach / static_cast<double>(b.shortest),
-                                              b.motion.reach / static_cast<double>(a.shortest));
+    const double lever = 1.0 + 2.0 * std::max(a.mover.reach / static_cast<double>(b.shortest),
+                                              b.mover.reach / static_cast<double>(a.shortest));
     const auto impact = static_cast<double>(ImpactDistance(a.radius + b.radius));
     const double tilt = ImpactTilt(a, farthest) + ImpactTilt(b, farthest) + static_cast<double>(kTiltAlways) +
                         static_cast<double>(kUnit * kTiltPerDistance) * impact;
@@ -136,34 +135,34 @@ bool KeepsFromImpact(const Mover &a, const Mover &b, int band, double threshold)
 
 } // namespace
 
-double ApartThreshold(const Ledger &ledger, uint32_t record) {
-    const Ledger::Record &at = ledger.At(record);
-    const Movers &movers = ledger.GetMovers();
-    return ContactMargin(static_cast<double>(movers[at.a].radius + movers[at.b].radius),
-                         movers.RoundingMargin(at.a, at.b));
+double ApartThreshold(const PairTable &table, uint32_t pair) {
+    const Pair &at = table.At(pair);
+    const FixtureMotions &motions = table.motions;
+    return ContactMargin(static_cast<double>(motions[at.a].radius + motions[at.b].radius),
+                         motions.RoundingMargin(at.a, at.b));
 }
 
 /// How far a fixture's body most likely carries its points in a step of this length.
-static double ExpectedMotion(const Mover &mover) {
+static double ExpectedMotion(const FixtureMotion &motion, float seconds) {
     constexpr double kUnknownReach = 0.5 * static_cast<double>(b2_lengthUnitsPerMeter);
-    const b2Vec2 &v = mover.body->GetLinearVelocity();
-    const double reach = mover.motion.reach > 0.0 ? mover.motion.reach : kUnknownReach;
-    return static_cast<double>(CurrentTimeStep()) *
+    const b2Vec2 &v = motion.body->GetLinearVelocity();
+    const double reach = motion.mover.reach > 0.0 ? motion.mover.reach : kUnknownReach;
+    return static_cast<double>(seconds) *
            (static_cast<double>(b2Abs(v.x) + b2Abs(v.y)) +
-            static_cast<double>(b2Abs(mover.body->GetAngularVelocity())) * reach);
+            static_cast<double>(b2Abs(motion.body->GetAngularVelocity())) * reach);
 }
 
 namespace {
 
-/// Begins a proof; false, and the record is due, where none is worth it. `soon`: how much is to be left
+/// Begins a proof; false, and the pair is due, where none is worth it. `soon`: how much is to be left
 /// beyond it.
-bool BeginProof(Ledger *ledger, uint32_t record, double *soon) {
+bool BeginProof(PairTable *table, uint32_t pair, double *soon) {
     constexpr double kFatBoxes = 6.0 * static_cast<double>(b2_aabbExtension);
-    *soon = 2.0 * (ExpectedMotion(ledger->GetMovers()[ledger->At(record).a]) +
-                   ExpectedMotion(ledger->GetMovers()[ledger->At(record).b]));
-    if (*soon <= kFatBoxes && ledger->BeginProof(record))
+    *soon = 2.0 * (ExpectedMotion(table->motions[table->At(pair).a], table->seconds) +
+                   ExpectedMotion(table->motions[table->At(pair).b], table->seconds));
+    if (*soon <= kFatBoxes && table->BeginProof(pair))
         return true;
-    ledger->SetDue(record);
+    table->SetDue(pair);
     return false;
 }
 
@@ -190,38 +189,39 @@ double DepthOf(const Placed &owner, const Placed &other) {
 
 } // namespace
 
-void ProveOverlap(Ledger *ledger, uint32_t record) {
+void ProveOverlap(PairTable *table, uint32_t pair) {
     double soon;
-    if (!BeginProof(ledger, record, &soon))
+    if (!BeginProof(table, pair, &soon))
         return;
-    const Placed a(ledger->GetMovers()[ledger->At(record).a]), b(ledger->GetMovers()[ledger->At(record).b]);
+    const Placed a(table->motions[table->At(pair).a]), b(table->motions[table->At(pair).b]);
     const double depth = a.big != nullptr || b.big != nullptr ? -1.0 : std::max(DepthOf(a, b), DepthOf(b, a));
-    const Movers &movers = ledger->GetMovers();
-    const Ledger::Record &at = ledger->At(record);
+    const FixtureMotions &motions = table->motions;
+    const Pair &at = table->At(pair);
     const double margin =
-        movers.RoundingMargin(at.a, at.b) +
-        static_cast<double>(2.0f * kUnit * kErrorPerReach) * (ReachOf(movers[at.a]) + ReachOf(movers[at.b]));
+        motions.RoundingMargin(at.a, at.b) + static_cast<double>(2.0f * kUnit * kErrorPerReach) *
+                                                 (ReachOf(motions[at.a]) + ReachOf(motions[at.b]));
     // Of deep overlaps b2Distance says up to its rounding, which the skins must cover.
-    const double skins = static_cast<double>(movers[at.a].radius) + static_cast<double>(movers[at.b].radius);
+    const double skins =
+        static_cast<double>(motions[at.a].radius) + static_cast<double>(motions[at.b].radius);
     if (depth > margin + soon && skins >= margin)
-        ledger->Prove(record, {0.0, 0.0}, depth, margin, false);
+        table->Prove(pair, {0.0, 0.0}, depth, margin, false);
     else
-        ledger->SetDue(record);
+        table->SetDue(pair);
 }
 
-void ProveApart(Ledger *ledger, uint32_t record, SolidContact *contact) {
+void ProveApart(PairTable *table, uint32_t pair, SolidContact *contact) {
     double soon;
-    if (!BeginProof(ledger, record, &soon))
+    if (!BeginProof(table, pair, &soon))
         return;
-    const Mover &moverA = ledger->GetMovers()[ledger->At(record).a],
-                &moverB = ledger->GetMovers()[ledger->At(record).b];
-    const Placed a(moverA), b(moverB);
-    const double threshold = ApartThreshold(*ledger, record);
+    const FixtureMotion &motionA = table->motions[table->At(pair).a],
+                        &motionB = table->motions[table->At(pair).b];
+    const Placed a(motionA), b(motionB);
+    const double threshold = ApartThreshold(*table, pair);
     bmr_vec2 d = contact->GuessDirection();
     if (!Normalize(&d)) {
-        d = bmr_sub(moverB.motion.center, moverA.motion.center);
+        d = bmr_sub(motionB.mover.center, motionA.mover.center);
         if (!Normalize(&d)) {
-            ledger->SetDue(record);
+            table->SetDue(pair);
             return;
         }
     }
@@ -235,11 +235,11 @@ void ProveApart(Ledger *ledger, uint32_t record, SolidContact *contact) {
             best = other;
     }
     if (!(best.gap > threshold + soon)) {
-        ledger->SetDue(record);
+        table->SetDue(pair);
         return;
     }
-    const int band = ledger->GetMovers().Band(ledger->At(record).a, ledger->At(record).b);
-    ledger->Prove(record, best.d, best.gap, threshold, KeepsFromImpact(moverA, moverB, band, threshold));
+    const int band = table->motions.Band(table->At(pair).a, table->At(pair).b);
+    table->Prove(pair, best.d, best.gap, threshold, KeepsFromImpact(motionA, motionB, band, threshold));
     if (GetSettings().options.statistics)
         contact->LeaveByLine();
 }

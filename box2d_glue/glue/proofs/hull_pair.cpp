@@ -16,7 +16,6 @@
 #include "shapes/convex_geometry.h"
 #include "shapes/digest.h"
 #include "shapes/side_normals.h"
-#include "start/current_step.h"
 #include "start/settings.h"
 
 namespace bmr {
@@ -121,9 +120,8 @@ bool Hull::Holds(const b2Fixture &fixture) const {
            member->digest == DigestOf(*PolygonOf(fixture));
 }
 
-bool Hull::MakeHold(const b2Fixture &fixture) {
-    const uint64_t step = CurrentStep();
-    if (m_held == &fixture && m_heldIn == step && step != 0 && !GameRan())
+bool Hull::MakeHold(const b2Fixture &fixture, uint64_t stamp) {
+    if (m_held == &fixture && m_heldAt == stamp && stamp != 0)
         return true;
     // (Where none could be built, trying again for every contact would cost more than it could save.)
     if (m_shape.polygon == nullptr)
@@ -133,7 +131,7 @@ bool Hull::MakeHold(const b2Fixture &fixture) {
     if (m_shape.polygon == nullptr || !Holds(fixture))
         return false;
     m_held = &fixture;
-    m_heldIn = step;
+    m_heldAt = stamp;
     return true;
 }
 
@@ -158,7 +156,7 @@ bmr_pair_def DefOf(const HullPair &pair) {
 
 void OnEvent(void *context, const bmr_event *event) {
     const auto *pair = static_cast<const HullPair *>(context);
-    TellOfEvent(pair->a->Body(), pair->b->Body(), *event);
+    ReportEvent(pair->a->Body(), pair->b->Body(), *event);
 }
 
 bool IsWithinReach(const HullPair &pair, const b2Transform &poseA, const b2Transform &poseB) {
@@ -238,13 +236,14 @@ HullPair *HullPairs::PairOf(const b2Contact &contact) {
 }
 
 bool HullPairs::SayApart(uint32_t number, const b2Contact &contact, const b2Transform &xfA,
-                         const b2Transform &xfB) {
+                         const b2Transform &xfB, uint64_t stamp) {
     if (m_ofContacts[number] == nullptr)
         m_ofContacts[number] = PairOf(contact);
     HullPair *const pair = m_ofContacts[number];
     const bool swapped = pair->IsSwapped(contact);
     const b2Fixture &first = *contact.GetFixtureA(), &second = *contact.GetFixtureB();
-    return pair->a->MakeHold(swapped ? second : first) && pair->b->MakeHold(swapped ? first : second) &&
+    return pair->a->MakeHold(swapped ? second : first, stamp) &&
+           pair->b->MakeHold(swapped ? first : second, stamp) &&
            KnownApart(pair, swapped ? xfB : xfA, swapped ? xfA : xfB);
 }
 
