@@ -16,7 +16,6 @@ SceneInfo SceneOfAFile(const char *name, const char *description, int steps, flo
     info.name = name;
     info.description = description;
     info.group = name;
-    info.sizeMeaning = "-";
     info.size = 1;
     info.steps = steps;
     info.create = create;

@@ -40,7 +40,6 @@ struct SceneInfo {
         *group; ///< "classic": small and known from Box2D's testbed; "hard": many pairs that stay
                 ///< apart; "games": what games are made of; "any-size": of polygons of any size, as the
                 ///< options `vertices` and `bodies` choose; "outlines": of concave bodies, likewise
-    const char *sizeMeaning;
     int size;
     int steps;
     std::unique_ptr<Scene> (*create)();

@@ -40,6 +40,19 @@ bool IsPicturePath(const std::string &path) {
     return EndsWith(path, ".svg") || EndsWith(path, ".png") || EndsWith(path, ".pdf");
 }
 
+std::vector<bmr_vec2> Clipped(const std::vector<bmr_vec2> &polygon, bmr_vec2 normal, double offset) {
+    std::vector<bmr_vec2> kept;
+    for (size_t i = 0; i < polygon.size(); ++i) {
+        const bmr_vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+        const double fa = bmr_dot(normal, a) - offset, fb = bmr_dot(normal, b) - offset;
+        if (fa >= 0.0)
+            kept.push_back(a);
+        if ((fa >= 0.0) != (fb >= 0.0))
+            kept.push_back(bmr_add(a, bmr_scale(fa / (fa - fb), bmr_sub(b, a))));
+    }
+    return kept;
+}
+
 namespace ink {
 Colour Series(size_t index) {
     constexpr std::array<Colour, 6> kSeries = {kBlue, kRed, kGreen, kPurple, kOrange, kSky};
@@ -185,12 +198,6 @@ void Canvas::Circle(bmr_vec2 center, double radius, const Fill &fill, const Pen 
 
 void Canvas::Dot(bmr_vec2 center, double radius, const Colour &colour) {
     Circle(center, radius / m_scaleX, {colour, 1.0}, {colour, 0.0});
-}
-
-void Canvas::Cross(bmr_vec2 center, double radius, const Pen &pen) {
-    const double x = radius / m_scaleX, y = radius / m_scaleY;
-    Segment(bmr_vec2_make(center.x - x, center.y - y), bmr_vec2_make(center.x + x, center.y + y), pen);
-    Segment(bmr_vec2_make(center.x - x, center.y + y), bmr_vec2_make(center.x + x, center.y - y), pen);
 }
 
 void Canvas::SelectFont(double size, bool bold) {

@@ -53,6 +53,9 @@ struct Rectangle {
     double Height() const { return top - bottom; }
 };
 
+/// What is left of a convex polygon on the inner side of a line: <normal, x> >= offset.
+std::vector<bmr_vec2> Clipped(const std::vector<bmr_vec2> &polygon, bmr_vec2 normal, double offset);
+
 enum class Align { Left, Centre, Right };
 
 /// A page with y upwards, its origin in the lower left corner, on which panels map world coordinates. Fonts
@@ -67,8 +70,6 @@ public:
     /// From now on world coordinates are those of `world`, shown in `page` (of the page's units) as large as
     /// fits, centred, undistorted; drawing is clipped to `page`.
     void SetPanel(const Rectangle &page, const Rectangle &world);
-    /// The same, stretched to fill `page`.
-    void SetStretchedPanel(const Rectangle &page, const Rectangle &world);
     /// World coordinates are the page's.
     void ClearPanel();
     bmr_vec2 OnPage(bmr_vec2 world) const;
@@ -87,7 +88,6 @@ public:
     void Circle(bmr_vec2 center, double radius, const Fill &fill, const Pen &pen);
     /// `radius` on the page.
     void Dot(bmr_vec2 center, double radius, const Colour &colour);
-    void Cross(bmr_vec2 center, double radius, const Pen &pen);
 
     /// Text whose anchor stands at `at`, moved by (dx, dy) on the page.
     void Text(bmr_vec2 at, double dx, double dy, const std::string &text, double size,
@@ -102,6 +102,8 @@ public:
     void Write();
 
 private:
+    /// As SetPanel, but stretched to fill `page`.
+    void SetStretchedPanel(const Rectangle &page, const Rectangle &world);
     void Prepare();
     void Trace(const std::vector<bmr_vec2> &points, bool close);
     void Stroke(const Pen &pen);

@@ -31,6 +31,12 @@ int CompareExitCode(const std::vector<SceneResult> &results) {
 
 } // namespace
 
+void FailUnknown(const std::string &what, const std::string &name, const std::vector<std::string> &names,
+                 const std::string &where) {
+    throw UsageError("there is no " + what + " \"" + name + "\"" + command_line::NearestClause(name, names) +
+                     " (" + where + ")");
+}
+
 std::vector<SceneInfo> SelectScenes(const std::vector<SceneInfo> &all,
                                     const std::vector<std::string> &names) {
     if (names.empty())
@@ -49,8 +55,7 @@ const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::stri
             return scene;
         names.push_back(scene.name);
     }
-    throw UsageError("there is no scene \"" + name + "\"" + command_line::NearestClause(name, names) +
-                     " (boomerang-testbed list shows all)");
+    FailUnknown("scene", name, names, "boomerang-testbed list shows all");
 }
 
 int List(const Workers &workers) {
@@ -82,22 +87,15 @@ int Execute(const RunCommand &command, const Workers &workers) {
     request.scene = scene.name;
     request.steps = command.steps.value_or(scene.steps);
     request.mode = command.hash ? "hash" : command.time ? "time" : "count";
-    nlohmann::json summary;
-    const auto process = workers.Start(request, command.worker, [&](const std::string &line) {
-        if (IsSummaryLine(line)) {
-            summary = ParseSummaryLine(line);
-        } else if (command.hash) {
-            std::cout << line << '\n';
-        }
-    });
     Progress progress(1, command.hash);
     progress.Show(scene.name, 0.0);
-    RunAll({process.get()}, [&progress] { progress.Tick(); });
+    const nlohmann::json summary = workers.Summarise(
+        request, command.worker, [&progress] { progress.Tick(); },
+        [&command](const std::string &line) {
+            if (command.hash)
+                std::cout << line << '\n';
+        });
     progress.Clear();
-    if (!process->Succeeded())
-        throw WorkerError(process->Describe());
-    if (summary.is_null())
-        throw WorkerError(process->CommandLine() + ": ended without a summary");
     std::cout << summary.dump(2) << '\n';
     return kExitOk;
 }
@@ -161,8 +159,7 @@ const FigureInfo &FindFigure(const std::string &name) {
     std::vector<std::string> names;
     for (const FigureInfo &figure : figures)
         names.emplace_back(figure.name);
-    throw UsageError("there is no figure \"" + name + "\"" + command_line::NearestClause(name, names) +
-                     " (--list shows all)");
+    FailUnknown("figure", name, names);
 }
 
 void ListFigures() {

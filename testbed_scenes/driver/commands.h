@@ -27,6 +27,11 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// Throws a UsageError: there is no such thing of that name, and which one is nearest.
+[[noreturn]] void FailUnknown(const std::string &what, const std::string &name,
+                              const std::vector<std::string> &names,
+                              const std::string &where = "--list shows all");
+
 struct RunCommand {
     std::string scene;
     std::optional<int64_t> steps;

@@ -8,16 +8,11 @@
 namespace testbed {
 namespace {
 
-/// The extra arguments of one side's run: the control perturbs all but stock.
-std::vector<std::string> ExtraFor(Side side, const CompareOptions &options) {
-    if (side != Side::Stock && options.perturb)
-        return {"--perturb", std::to_string(*options.perturb)};
-    return {};
-}
-
 WorkerRequest RequestFor(Side side, const SceneResult &result, const CompareOptions &options,
                          const char *mode) {
-    const std::vector<std::string> extra = ExtraFor(side, options);
+    std::vector<std::string> extra;
+    if (side != Side::Stock && options.perturb) // the control perturbs all but stock
+        extra = {"--perturb", std::to_string(*options.perturb)};
     if (side == Side::Stock)
         side = StockFor(result.scene);
     return {side, result.scene.name, result.steps, mode, extra};
@@ -29,13 +24,10 @@ std::vector<DumpField> DumpOf(const Workers &workers, Side side, int64_t step, c
     request.steps = step + 1; // steps count from 0
     request.extra.insert(request.extra.end(), {"--dump", std::to_string(step)});
     std::vector<DumpField> fields;
-    const auto process = workers.Start(request, options.worker, [&fields](const std::string &line) {
-        if (!IsStepLine(line) && !IsSummaryLine(line))
+    workers.Summarise(request, options.worker, nullptr, [&fields](const std::string &line) {
+        if (!IsStepLine(line))
             fields.push_back(ParseDumpLine(line));
     });
-    RunAll({process.get()});
-    if (!process->Succeeded())
-        throw WorkerError(process->Describe());
     return fields;
 }
 

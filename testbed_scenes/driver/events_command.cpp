@@ -28,12 +28,6 @@ constexpr double kRatioFactor = 4.0;
 /// Columns of structures in one table: what fits some 110 characters.
 constexpr size_t kNarrowColumns = 8, kWideColumns = 6;
 
-[[noreturn]] void FailUnknown(const std::string &what, const std::string &word,
-                              const std::vector<std::string> &names) {
-    throw UsageError("there is no " + what + " \"" + word + "\"" + command_line::NearestClause(word, names) +
-                     " (--list shows all)");
-}
-
 std::vector<std::string> StructureNames() {
     std::vector<std::string> names;
     for (size_t i = 0; i < bmr_kds_count(); ++i)

@@ -231,11 +231,14 @@ std::unique_ptr<Process> Workers::Start(const WorkerRequest &request, const Work
 }
 
 nlohmann::json Workers::Summarise(const WorkerRequest &request, const WorkerOptions &options,
-                                  const std::function<void()> &onTick) const {
+                                  const std::function<void()> &onTick,
+                                  const Process::LineHandler &onLine) const {
     nlohmann::json summary;
-    const std::unique_ptr<Process> process = Start(request, options, [&summary](const std::string &line) {
+    const std::unique_ptr<Process> process = Start(request, options, [&](const std::string &line) {
         if (IsSummaryLine(line))
             summary = ParseSummaryLine(line);
+        else if (onLine)
+            onLine(line);
     });
     RunAll({process.get()}, onTick);
     if (!process->Succeeded())

@@ -106,9 +106,11 @@ public:
 
     std::unique_ptr<Process> Start(const WorkerRequest &request, const WorkerOptions &options,
                                    Process::LineHandler onLine) const;
-    /// Runs a worker to its end and returns its summary. Throws WorkerError if it fails or gives none.
+    /// Runs a worker to its end and returns its summary; the other lines go to `onLine`. Throws WorkerError
+    /// if it fails or gives none.
     nlohmann::json Summarise(const WorkerRequest &request, const WorkerOptions &options,
-                             const std::function<void()> &onTick = nullptr) const;
+                             const std::function<void()> &onTick = nullptr,
+                             const Process::LineHandler &onLine = nullptr) const;
 
 private:
     std::filesystem::path ProgramOf(Side side) const;

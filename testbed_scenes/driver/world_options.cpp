@@ -75,8 +75,7 @@ void ReadStructure(const std::string &name, WorldChoice *choice) {
         for (size_t i = 0; i < bmr_kds_count(); ++i)
             if (bmr_kds_at(i)->domain == BMR_KDS_RIGID)
                 names.emplace_back(bmr_kds_at(i)->name);
-        throw UsageError("there is no structure \"" + name + "\"" + command_line::NearestClause(name, names) +
-                         " (`events --list` shows all)");
+        FailUnknown("structure", name, names, "`events --list` shows all");
     }
     if (info->domain != BMR_KDS_RIGID)
         throw UsageError("--structure: " + name + " is for points or for bodies that do not turn");
@@ -90,8 +89,7 @@ const WorldScene &SceneNamed(const std::string &name) {
             return scene;
         names.push_back(scene.choice.scene);
     }
-    throw UsageError("there is no world \"" + name + "\"" + command_line::NearestClause(name, names) +
-                     " (--list shows all)");
+    FailUnknown("world", name, names);
 }
 
 std::vector<std::string> ShapeNames() {

@@ -32,14 +32,6 @@ bool Labels::IsFree(const Rectangle &box) const {
                         [&box](const Rectangle &taken) { return Overlap(box, taken); });
 }
 
-void Labels::Write(const Rectangle &box, const std::string &text) {
-    m_canvas.Box(box, {style::kStrip, 0.8});
-    const double size = style::kTextSize * m_unit;
-    m_canvas.Text(bmr_vec2_make(box.left + kPadding * m_unit, 0.5 * (box.bottom + box.top)), 0.0,
-                  -0.36 * size, text, size, Align::Left, style::kText);
-    m_taken.push_back(box);
-}
-
 void Labels::Place(bmr_vec2 at, const std::string &text) {
     const double width = m_canvas.TextWidth(text, style::kTextSize * m_unit) + 2.0 * kPadding * m_unit;
     const double height = kHeight * m_unit;
@@ -62,7 +54,11 @@ void Labels::Place(bmr_vec2 at, const std::string &text) {
                                                    std::clamp(at.y, box.bottom, box.top));
                 m_canvas.Segment(at, end, {style::kFaintText, 0.8 * m_unit, 0.9, {}});
             }
-            Write(box, text);
+            m_canvas.Box(box, {style::kStrip, 0.8});
+            const double size = style::kTextSize * m_unit;
+            m_canvas.Text(bmr_vec2_make(box.left + kPadding * m_unit, centre.y), 0.0, -0.36 * size, text,
+                          size, Align::Left, style::kText);
+            m_taken.push_back(box);
             return;
         }
     }
@@ -77,38 +73,17 @@ void Labels::PlaceAt(bmr_vec2 at, const std::string &text, double size) {
     m_taken.push_back(box);
 }
 
-namespace {
-
-using Points = std::vector<bmr_vec2>;
-
-/// What of a convex polygon lies on the side of the line <normal, x> = offset that its normal does not point
-/// to (Sutherland and Hodgman).
-Points Beyond(const Points &polygon, bmr_vec2 normal, double offset) {
-    Points kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const bmr_vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-        const double overA = bmr_dot(normal, a) - offset, overB = bmr_dot(normal, b) - offset;
-        if (overA <= 0.0)
-            kept.push_back(a);
-        if ((overA < 0.0 && overB > 0.0) || (overA > 0.0 && overB < 0.0))
-            kept.push_back(bmr_add(a, bmr_scale(overA / (overA - overB), bmr_sub(b, a))));
-    }
-    return kept;
-}
-
-} // namespace
-
 std::optional<bmr_vec2> PlaceIn(const WorldView &world, const Rectangle &region, int body) {
     bmr_vec2 sum = bmr_vec2_make(0.0, 0.0);
     double count = 0.0;
     for (const shown::Fixture *fixture : world.FixturesOf(body)) {
         if (fixture->shape != "polygon")
             continue;
-        Points seen = world.ToWorld(body, fixture->points);
-        seen = Beyond(seen, bmr_vec2_make(1.0, 0.0), region.right);
-        seen = Beyond(seen, bmr_vec2_make(-1.0, 0.0), -region.left);
-        seen = Beyond(seen, bmr_vec2_make(0.0, 1.0), region.top);
-        seen = Beyond(seen, bmr_vec2_make(0.0, -1.0), -region.bottom);
+        std::vector<bmr_vec2> seen = world.ToWorld(body, fixture->points);
+        seen = Clipped(seen, bmr_vec2_make(-1.0, 0.0), -region.right);
+        seen = Clipped(seen, bmr_vec2_make(1.0, 0.0), region.left);
+        seen = Clipped(seen, bmr_vec2_make(0.0, -1.0), -region.top);
+        seen = Clipped(seen, bmr_vec2_make(0.0, 1.0), region.bottom);
         for (const bmr_vec2 &corner : seen)
             sum = bmr_add(sum, corner);
         count += static_cast<double>(seen.size());

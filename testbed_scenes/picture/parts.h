@@ -96,7 +96,6 @@ public:
 
 private:
     bool IsFree(const Rectangle &box) const;
-    void Write(const Rectangle &box, const std::string &text);
 
     Canvas &m_canvas;
     const Rectangle m_area;

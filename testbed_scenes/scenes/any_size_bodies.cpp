@@ -82,21 +82,15 @@ class Planet final : public Scene {
 } // namespace
 
 void AddAnySizeBodies(std::vector<SceneInfo> &scenes) {
-    SceneInfo stack = {
-        "any-stack",       "coins with many corners stand on each other", "any-size", "coins", 10, 300,
-        CreateScene<Stack>};
+    SceneInfo stack = {"any-stack",       "coins with many corners stand on each other", "any-size", 10, 300,
+                       CreateScene<Stack>};
     stack.polygons = {BodyKind::One, 64};
-    SceneInfo wheels = {
-        "any-wheels",       "polygons of many vertices roll down a slope", "any-size", "wheels", 8, 300,
-        CreateScene<Wheels>};
+    SceneInfo wheels = {"any-wheels",       "polygons of many vertices roll down a slope", "any-size", 8, 300,
+                        CreateScene<Wheels>};
     wheels.polygons = {BodyKind::One, 1024};
-    SceneInfo planet = {"any-planet",
-                        "towers of boxes stand on a planet that is one polygon",
-                        "any-size",
-                        "boxes",
-                        160,
-                        300,
-                        CreateScene<Planet>};
+    SceneInfo planet = {"any-planet", "towers of boxes stand on a planet that is one polygon",
+                        "any-size",   160,
+                        300,          CreateScene<Planet>};
     planet.polygons = {BodyKind::One, 4096};
     scenes.insert(scenes.end(), {stack, wheels, planet});
 }

@@ -222,29 +222,18 @@ class Bag final : public Scene {
 } // namespace
 
 void AddAnySizeWorlds(std::vector<SceneInfo> &scenes) {
-    SceneInfo bullets = {"any-bullets",
-                         "round bullets hit thin planks, bare edges and chains",
-                         "any-size",
-                         "bullets",
-                         120,
-                         300,
-                         CreateScene<BulletsAtThin>};
+    SceneInfo bullets = {"any-bullets", "round bullets hit thin planks, bare edges and chains",
+                         "any-size",    120,
+                         300,           CreateScene<BulletsAtThin>};
     bullets.polygons = {BodyKind::One, 256};
-    SceneInfo gears = {"any-gears",
-                       "pebbles fall on gears in mesh whose teeth are rounded",
-                       "any-size",
-                       "gears",
-                       6,
-                       300,
-                       CreateScene<RoundedGears>};
+    SceneInfo gears = {"any-gears", "pebbles fall on gears in mesh whose teeth are rounded",
+                       "any-size",  6,
+                       300,         CreateScene<RoundedGears>};
     gears.polygons = {BodyKind::One, 32};
-    SceneInfo bag = {"any-bag",
-                     "polygons of all sizes, ellipses, capsules, circles and boxes fall on a chain",
-                     "any-size",
-                     "bodies",
-                     150,
-                     420,
-                     CreateScene<Bag>};
+    SceneInfo bag = {
+        "any-bag",  "polygons of all sizes, ellipses, capsules, circles and boxes fall on a chain",
+        "any-size", 150,
+        420,        CreateScene<Bag>};
     bag.polygons = {BodyKind::One, 512};
     scenes.insert(scenes.end(), {bullets, gears, bag});
 }

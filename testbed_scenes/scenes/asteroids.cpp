@@ -62,12 +62,12 @@ class StarPile final : public Scene {
 } // namespace
 
 void AddAsteroids(std::vector<SceneInfo> &scenes) {
-    scenes.push_back({"drifters", "stretched polygons of 3 to 8 corners drift in a closed box", "hard",
-                      "bodies", 8, 300, CreateScene<Drifters>});
+    scenes.push_back({"drifters", "stretched polygons of 3 to 8 corners drift in a closed box", "hard", 8,
+                      300, CreateScene<Drifters>});
     scenes.push_back({"asteroids", "concave bodies of 10 to 63 triangles bounce about in a closed box",
-                      "hard", "bodies", 150, 300, CreateScene<Asteroids>});
-    scenes.push_back({"star-pile", "concave stars of 10 to 31 triangles fall into a pile", "hard", "stars",
-                      120, 300, CreateScene<StarPile>});
+                      "hard", 150, 300, CreateScene<Asteroids>});
+    scenes.push_back({"star-pile", "concave stars of 10 to 31 triangles fall into a pile", "hard", 120, 300,
+                      CreateScene<StarPile>});
 }
 
 } // namespace testbed

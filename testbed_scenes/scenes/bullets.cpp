@@ -66,8 +66,8 @@ class Bullets final : public Scene {
 } // namespace
 
 void AddBullets(std::vector<SceneInfo> &scenes) {
-    scenes.push_back({"bullets", "bullets fly through 84 static and kinematic concave bodies", "hard",
-                      "bullets", 150, 300, CreateScene<Bullets>});
+    scenes.push_back({"bullets", "bullets fly through 84 static and kinematic concave bodies", "hard", 150,
+                      300, CreateScene<Bullets>});
 }
 
 } // namespace testbed

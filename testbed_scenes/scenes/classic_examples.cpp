@@ -126,9 +126,9 @@ class SensorsClassic final : public Scene {
 
 void AddClassicExamples(std::vector<SceneInfo> &scenes) {
     scenes.push_back({"compound", "tables and ships of several shapes; things appear inside them", "classic",
-                      "pairs of tables and of ships", 2, 300, CreateScene<Compound>});
+                      2, 300, CreateScene<Compound>});
     scenes.push_back({"sensors-classic", "a round sensor draws discs and pentagons to its centre", "classic",
-                      "bodies", 7, 600, CreateScene<SensorsClassic>});
+                      7, 600, CreateScene<SensorsClassic>});
 }
 
 } // namespace testbed

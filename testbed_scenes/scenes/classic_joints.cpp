@@ -94,10 +94,10 @@ class Car final : public Scene {
 } // namespace
 
 void AddClassicJoints(std::vector<SceneInfo> &scenes) {
-    scenes.push_back({"bridge", "triangles, discs and octagons fall on a hinged bridge", "classic",
-                      "planks of the bridge", 30, 300, CreateScene<Bridge>});
-    scenes.push_back({"car", "a car drives over hills and a bridge into a stack", "classic",
-                      "boxes in the stack", 5, 900, CreateScene<Car>});
+    scenes.push_back({"bridge", "triangles, discs and octagons fall on a hinged bridge", "classic", 30, 300,
+                      CreateScene<Bridge>});
+    scenes.push_back(
+        {"car", "a car drives over hills and a bridge into a stack", "classic", 5, 900, CreateScene<Car>});
 }
 
 } // namespace testbed

@@ -148,11 +148,11 @@ class Bullet final : public Scene {
 
 void AddClassicMotion(std::vector<SceneInfo> &scenes) {
     scenes.push_back({"tumbler", "a slowly turning drum is filled with small boxes, one a step", "classic",
-                      "boxes in the end", 800, 600, CreateScene<Tumbler>});
-    scenes.push_back({"dominos", "a hammer, dominos, a seesaw and a bucket", "classic", "dominos", 10, 600,
-                      CreateScene<Dominos>});
+                      800, 600, CreateScene<Tumbler>});
+    scenes.push_back(
+        {"dominos", "a hammer, dominos, a seesaw and a bucket", "classic", 10, 600, CreateScene<Dominos>});
     scenes.push_back({"bullet", "bullets against a plank and a thin wall, shot again every second", "classic",
-                      "lanes", 1, 600, CreateScene<Bullet>});
+                      1, 600, CreateScene<Bullet>});
 }
 
 } // namespace testbed

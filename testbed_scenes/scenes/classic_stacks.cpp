@@ -84,12 +84,11 @@ class Tiles final : public Scene {
 } // namespace
 
 void AddClassicStacks(std::vector<SceneInfo> &scenes) {
-    scenes.push_back({"pyramid", "a pyramid of boxes settles", "classic", "boxes in the lowest row", 20, 600,
-                      CreateScene<Pyramid>});
-    scenes.push_back({"vertical-stack", "five stacks of boxes, shot at once they rest", "classic",
-                      "boxes in a stack", 15, 600, CreateScene<VerticalStack>});
-    scenes.push_back({"tiles", "a pyramid falls on a ground body of 2000 square tiles", "classic",
-                      "boxes in the lowest row", 20, 600, CreateScene<Tiles>});
+    scenes.push_back({"pyramid", "a pyramid of boxes settles", "classic", 20, 600, CreateScene<Pyramid>});
+    scenes.push_back({"vertical-stack", "five stacks of boxes, shot at once they rest", "classic", 15, 600,
+                      CreateScene<VerticalStack>});
+    scenes.push_back({"tiles", "a pyramid falls on a ground body of 2000 square tiles", "classic", 20, 600,
+                      CreateScene<Tiles>});
 }
 
 } // namespace testbed

@@ -46,34 +46,21 @@ class CoinsPile final : public Scene {
 } // namespace
 
 void AddCoins(std::vector<SceneInfo> &scenes) {
-    SceneInfo gas = {"coins-gas",
-                     "64-gons of 11 fixtures each bounce about in a closed box",
-                     "hard",
-                     "coins",
-                     250,
-                     300,
-                     CreateScene<CoinsGas>};
-    SceneInfo pile = {"coins-pile",          "larger such coins fall into a pile", "hard", "coins", 200, 300,
+    SceneInfo gas = {"coins-gas", "64-gons of 11 fixtures each bounce about in a closed box",
+                     "hard",      250,
+                     300,         CreateScene<CoinsGas>};
+    SceneInfo pile = {"coins-pile",          "larger such coins fall into a pile", "hard", 200, 300,
                       CreateScene<CoinsPile>};
     gas.polygons = pile.polygons = {BodyKind::Many, 64};
     scenes.insert(scenes.end(), {gas, pile});
 }
 
 void AddAnySizeCoins(std::vector<SceneInfo> &scenes) {
-    SceneInfo gas = {"any-gas",
-                     "coins of any number of corners bounce about in a closed box",
-                     "any-size",
-                     "coins",
-                     250,
-                     300,
-                     CreateScene<CoinsGas>};
-    SceneInfo pile = {"any-pile",
-                      "larger such coins fall into a pile",
-                      "any-size",
-                      "coins",
-                      200,
-                      300,
-                      CreateScene<CoinsPile>};
+    SceneInfo gas = {"any-gas",  "coins of any number of corners bounce about in a closed box",
+                     "any-size", 250,
+                     300,        CreateScene<CoinsGas>};
+    SceneInfo pile = {
+        "any-pile", "larger such coins fall into a pile", "any-size", 200, 300, CreateScene<CoinsPile>};
     gas.polygons = pile.polygons = {BodyKind::One, 256};
     scenes.insert(scenes.end(), {gas, pile});
 }

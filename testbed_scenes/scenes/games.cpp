@@ -199,15 +199,15 @@ SceneInfo Resized(const std::vector<SceneInfo> &scenes, const char *of, const ch
 
 void AddGames(std::vector<SceneInfo> &scenes) {
     scenes.push_back(Resized(scenes, "pyramid", "pyramid-50", "the pyramid with 1275 boxes", 50));
-    scenes.push_back({"cars", "cars drive to and fro among crates on a rolling road of edges", "games",
-                      "cars", 16, 300, CreateScene<Cars>});
+    scenes.push_back({"cars", "cars drive to and fro among crates on a rolling road of edges", "games", 16,
+                      300, CreateScene<Cars>});
     scenes.push_back({"chain-rocks", "rocks roll down a chain, are destroyed at its end, and made anew",
-                      "games", "rocks", 120, 300, CreateScene<ChainRocks>});
-    scenes.push_back({"ragdolls", "ragdolls of 11 bones tumble down stairs", "games", "ragdolls", 16, 300,
-                      CreateScene<Ragdolls>});
+                      "games", 120, 300, CreateScene<ChainRocks>});
+    scenes.push_back(
+        {"ragdolls", "ragdolls of 11 bones tumble down stairs", "games", 16, 300, CreateScene<Ragdolls>});
     scenes.push_back(Resized(scenes, "needles", "needles-100", "the needles, a third of them", 100));
     scenes.push_back({"mixed-pile", "polygons, discs and bodies of three fixtures fall into a box", "games",
-                      "bodies", 170, 300, CreateScene<MixedPile>});
+                      170, 300, CreateScene<MixedPile>});
 }
 
 } // namespace testbed

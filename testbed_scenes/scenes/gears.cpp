@@ -80,7 +80,7 @@ class Gears final : public Scene {
 
 void AddGears(std::vector<SceneInfo> &scenes) {
     scenes.push_back({"gears", "150 octagons fall on gears of 24 teeth in mesh, one of which is driven",
-                      "hard", "gears", 18, 300, CreateScene<Gears>});
+                      "hard", 18, 300, CreateScene<Gears>});
 }
 
 } // namespace testbed

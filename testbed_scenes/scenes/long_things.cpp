@@ -83,12 +83,12 @@ std::unique_ptr<Scene> CreatePlates() {
 } // namespace
 
 void AddLongThings(std::vector<SceneInfo> &scenes) {
-    scenes.push_back({"planks", "hexagons slide and fall between 19 slanted static planks", "hard",
-                      "hexagons", 300, 300, CreateScene<Planks>});
-    scenes.push_back({"needles", "long thin slanted boxes drift side by side", "hard", "needles", 300, 300,
-                      CreateNeedles});
-    scenes.push_back({"plates", "slanted plates drift side by side, further apart", "hard", "plates", 400,
-                      300, CreatePlates});
+    scenes.push_back({"planks", "hexagons slide and fall between 19 slanted static planks", "hard", 300, 300,
+                      CreateScene<Planks>});
+    scenes.push_back(
+        {"needles", "long thin slanted boxes drift side by side", "hard", 300, 300, CreateNeedles});
+    scenes.push_back(
+        {"plates", "slanted plates drift side by side, further apart", "hard", 400, 300, CreatePlates});
 }
 
 } // namespace testbed

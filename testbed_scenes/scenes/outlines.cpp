@@ -208,9 +208,9 @@ class Caves final : public Scene {
     static constexpr float side = 10.0f;
 };
 
-SceneInfo Info(const char *name, const char *description, const char *meaning, int size, int points,
+SceneInfo Info(const char *name, const char *description, int size, int points,
                std::unique_ptr<Scene> (*create)()) {
-    SceneInfo info = {name, description, "outlines", meaning, size, 300, create};
+    SceneInfo info = {name, description, "outlines", size, 300, create};
     info.polygons = {BodyKind::One, points};
     return info;
 }
@@ -218,14 +218,14 @@ SceneInfo Info(const char *name, const char *description, const char *meaning, i
 } // namespace
 
 void AddOutlines(std::vector<SceneInfo> &scenes) {
-    scenes.push_back(Info("asteroids-outline", "the asteroids, each cut into few convex pieces", "bodies",
-                          150, 63, CreateScene<AsteroidsOutline>));
-    scenes.push_back(Info("gears-outline", "octagons fall on gears in mesh, each of them one outline",
-                          "gears", 18, 96, CreateScene<GearsOutline>));
-    scenes.push_back(Info("silhouettes", "scanned silhouettes, within a hundredth of their size, pile up",
-                          "silhouettes", 48, 500, CreateScene<Silhouettes>));
-    scenes.push_back(Info("caves", "stars, coins, boxes and octagons fall in the caves of one rock", "bodies",
-                          120, 48, CreateScene<Caves>));
+    scenes.push_back(Info("asteroids-outline", "the asteroids, each cut into few convex pieces", 150, 63,
+                          CreateScene<AsteroidsOutline>));
+    scenes.push_back(Info("gears-outline", "octagons fall on gears in mesh, each of them one outline", 18, 96,
+                          CreateScene<GearsOutline>));
+    scenes.push_back(Info("silhouettes", "scanned silhouettes, within a hundredth of their size, pile up", 48,
+                          500, CreateScene<Silhouettes>));
+    scenes.push_back(Info("caves", "stars, coins, boxes and octagons fall in the caves of one rock", 120, 48,
+                          CreateScene<Caves>));
 }
 
 } // namespace testbed

@@ -52,7 +52,7 @@ class Sensors final : public Scene {
 
 void AddSensors(std::vector<SceneInfo> &scenes) {
     scenes.push_back({"sensors", "drifting 32-gons, each with a fan-shaped polygon sensor of reach 5", "hard",
-                      "bodies", 150, 300, CreateScene<Sensors>});
+                      150, 300, CreateScene<Sensors>});
 }
 
 } // namespace testbed

@@ -40,8 +40,8 @@ class Sleepers final : public Scene {
 } // namespace
 
 void AddSleepers(std::vector<SceneInfo> &scenes) {
-    scenes.push_back({"sleepers", "thousands of boxes fall asleep, and twenty balls roll on", "hard", "boxes",
-                      10000, 400, CreateScene<Sleepers>});
+    scenes.push_back({"sleepers", "thousands of boxes fall asleep, and twenty balls roll on", "hard", 10000,
+                      400, CreateScene<Sleepers>});
 }
 
 } // namespace testbed

@@ -44,7 +44,7 @@ class Terrain final : public Scene {
 
 void AddTerrain(std::vector<SceneInfo> &scenes) {
     scenes.push_back({"terrain", "boxes, polygons, discs and Ls on hills of edges and on hills of a chain",
-                      "classic", "bodies, half on each", 160, 300, CreateScene<Terrain>});
+                      "classic", 160, 300, CreateScene<Terrain>});
 }
 
 } // namespace testbed

@@ -105,7 +105,8 @@ bmr_course Course::AsCourse() const {
     return {{m_bodies[0]->Polygon(), m_bodies[1]->Polygon()}, {m_motions[0], m_motions[1]}, m_from, m_until};
 }
 
-bmr_kds_def DefFor(const Course &course, bmr_kds_def def) {
+bmr_kds_def DefFor(const Course &course) {
+    bmr_kds_def def = bmr_default_kds_def();
     constexpr double kPartOfSeparation = 1e-3;
     if (course.Separation() > 0.0)
         def.margin = std::min(def.margin, kPartOfSeparation * course.Separation());

@@ -110,7 +110,7 @@ private:
 };
 
 /// With a margin far below the least separation, or the pair would be in contact where it only passes.
-bmr_kds_def DefFor(const Course &course, bmr_kds_def def);
+bmr_kds_def DefFor(const Course &course);
 
 /// What one structure did on a course.
 struct Outcome {

@@ -31,7 +31,7 @@ public:
           m_simulation(nullptr, bmr_simulation_destroy) {
         bmr_simulation_def def = bmr_default_simulation_def();
         def.structure = &structure;
-        def.kds = DefFor(course, def.kds);
+        def.kds = DefFor(course);
         const bmr_shape shapes[] = {course.BodyOf(0).Shape(), course.BodyOf(1).Shape()};
         bmr_motion *const motions[] = {course.AsCourse().motions[0], course.AsCourse().motions[1]};
         bmr_simulation *made = nullptr;

@@ -49,8 +49,8 @@ public:
         if (experiment.optimum) {
             const bmr_course followed = course.AsCourse();
             bmr_optimum optimum = {};
-            Require(bmr_offline_optimum(&followed, DefFor(course, experiment.def).margin, kOptimumResolution,
-                                        nullptr, 0, &optimum),
+            Require(bmr_offline_optimum(&followed, DefFor(course).margin, kOptimumResolution, nullptr, 0,
+                                        &optimum),
                     "the offline optimum");
             m_common.optimum = optimum;
         }
@@ -60,7 +60,7 @@ public:
     void Perform(const bmr_kds_info &structure) {
         Run run = m_common;
         run.structure = &structure;
-        run.outcome = Follow(m_course, structure, DefFor(m_course, m_experiment.def), m_experiment.audit);
+        run.outcome = Follow(m_course, structure, DefFor(m_course), m_experiment.audit);
         m_runs.push_back(std::move(run));
     }
 

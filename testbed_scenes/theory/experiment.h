@@ -20,7 +20,6 @@ struct Experiment {
     bool point = false;         ///< B is a point
     std::vector<double> ratios; ///< D/sigma, ascending
     std::vector<uint64_t> seeds;
-    bmr_kds_def def = bmr_default_kds_def();
     bool audit = false;
     bool optimum = true;
     /// Called for every course after its runs.

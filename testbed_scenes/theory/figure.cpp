@@ -28,8 +28,6 @@ const std::vector<FigureInfo> &AllFigures() {
          DrawFreeDirection},
         {"coarse-line", "The coarse line, and the trees over both bodies' edges", "section 7", 640, 430,
          DrawCoarseLine},
-        {"time-line", "One motion's events: the optimum, free direction, lazy, active cell", "section 6", 900,
-         290, DrawTimeLine},
         {"growth", "Events against D/sigma: Table 1 measured", "table 1", 900, 380, DrawGrowth},
     };
     return figures;

@@ -35,7 +35,6 @@ void DrawPointEvents(Canvas &canvas);
 void DrawPairEvents(Canvas &canvas);
 void DrawFreeDirection(Canvas &canvas);
 void DrawCoarseLine(Canvas &canvas);
-void DrawTimeLine(Canvas &canvas);
 void DrawGrowth(Canvas &canvas);
 
 /// The corners of the envelope P_level, counter-clockwise.

@@ -4,19 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <iterator>
+#include <numeric>
 
 namespace testbed {
 namespace {
 
 /// How often a run is audited.
 constexpr int kAudits = 4;
-
-uint64_t Sum(const bmr_world_counts &counts) {
-    uint64_t sum = 0;
-    for (const uint64_t events : counts.events)
-        sum += events;
-    return sum;
-}
 
 void SetDrifts(const WorldRun &run, const WorldSetup &setup, WorldFigures *figures) {
     const WorldChoice &choice = setup.choice;
@@ -41,7 +36,7 @@ void SetDrifts(const WorldRun &run, const WorldSetup &setup, WorldFigures *figur
 } // namespace
 
 uint64_t WorldFigures::Events() const {
-    return Sum(counts);
+    return std::accumulate(std::begin(counts.events), std::end(counts.events), uint64_t{0});
 }
 
 double WorldFigures::Rate(uint64_t events) const {

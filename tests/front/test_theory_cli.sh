@@ -84,12 +84,12 @@ test_events_beside_box2d() {
 test_figures_are_drawn() {
     expect 0 figures --list
     local name
-    for name in boomerangs dudley mixed-insertion mixed-full mixed-events point-events pair-events inflated window free-direction coarse-line time-line growth; do
+    for name in boomerangs dudley mixed-insertion mixed-full mixed-events point-events pair-events inflated window free-direction coarse-line growth; do
         out_has "^$name "
     done
     # All but the one that runs long.
-    expect 0 figures boomerangs dudley mixed-insertion mixed-full mixed-events point-events pair-events inflated window free-direction coarse-line time-line --format both -o "$scratch/figures/new"
-    for name in boomerangs mixed-events time-line; do
+    expect 0 figures boomerangs dudley mixed-insertion mixed-full mixed-events point-events pair-events inflated window free-direction coarse-line --format both -o "$scratch/figures/new"
+    for name in boomerangs mixed-events coarse-line; do
         [ "$(wc -c <"$scratch/figures/new/$name.svg")" -gt 5000 ] || fail "$name.svg is empty"
         head -c 8 "$scratch/figures/new/$name.png" | grep -q PNG || fail "$name.png is no picture"
     done

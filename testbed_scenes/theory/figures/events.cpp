@@ -30,20 +30,6 @@ MotionFile Pass(bmr_vec2 from, bmr_vec2 to, double angle, double spin) {
     return file;
 }
 
-/// What is left of a polygon on the inner side of a line: <normal, x> >= offset.
-std::vector<bmr_vec2> Clipped(const std::vector<bmr_vec2> &polygon, bmr_vec2 normal, double offset) {
-    std::vector<bmr_vec2> kept;
-    for (size_t i = 0; i < polygon.size(); ++i) {
-        const bmr_vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-        const double fa = bmr_dot(normal, a) - offset, fb = bmr_dot(normal, b) - offset;
-        if (fa >= 0.0)
-            kept.push_back(a);
-        if ((fa >= 0.0) != (fb >= 0.0))
-            kept.push_back(bmr_add(a, bmr_scale(fa / (fa - fb), bmr_sub(b, a))));
-    }
-    return kept;
-}
-
 /// Where a point's structure says the point is: the conditions that it waits for, as a region of A's frame.
 std::vector<bmr_vec2> RegionOf(const bmr_kds *kds, const Rectangle &world) {
     std::vector<bmr_vec2> region = {{world.left, world.bottom},
@@ -127,9 +113,7 @@ void DrawPairEvent(Canvas &canvas, const Rectangle &page, const Course &course, 
     std::vector<bmr_vec2> all = Envelope(a, 0);
     for (const bmr_vec2 &corner : Placed(Envelope(b, 0), seen.pose))
         all.push_back(corner);
-    canvas.Polygon(
-        {{page.left, page.bottom}, {page.right, page.bottom}, {page.right, page.top}, {page.left, page.top}},
-        {}, {ink::kFaint, 1.0});
+    canvas.Box(page, {}, {ink::kFaint, 1.0});
     canvas.SetPanel(page, Around(all, 0.04));
     canvas.Polygon(course.BodyOf(0).Vertices(), {ink::kGrey, 0.25}, {ink::kBlack, 1.2});
     canvas.Polygon(Placed(course.BodyOf(1).Vertices(), seen.pose), {ink::kGrey, 0.25}, {ink::kBlack, 1.2});
@@ -202,77 +186,6 @@ void DrawPairEvents(Canvas &canvas) {
     canvas.Text({258.0, 14.0}, 0.0, 0.0, "line and corner after the repair", 10.5);
     canvas.Segment({470.0, 18.0}, {492.0, 18.0}, {ink::kBlue, 1.1});
     canvas.Text({498.0, 14.0}, 0.0, 0.0, "envelopes of the finer of the two levels", 10.5);
-}
-
-void DrawTimeLine(Canvas &canvas) {
-    std::vector<bmr_vec2> points(64);
-    std::shared_ptr<const Body> bodies[2];
-    const bmr_outline outlines[2] = {BMR_OUTLINE_ELLIPSE, BMR_OUTLINE_DISC};
-    for (int i = 0; i < 2; ++i) {
-        Require(bmr_outline_points(outlines[i], points.size(), 1, points.data()), "an outline");
-        bodies[i] = std::make_shared<const Body>(points);
-    }
-    const Course course(bodies[0], bodies[1], bmr_family_def{BMR_FAMILY_RIGID_WANDER, 256.0, 5, 0, 0});
-    constexpr double kLeft = 168.0, kRight = 12.0, kRow = 30.0, kCurve = 96.0;
-    const double width = canvas.Width() - kLeft - kRight;
-    const auto at = [&](double time) { return kLeft + width * time; };
-
-    // The distance on a logarithmic scale.
-    const double top = canvas.Height() - 24.0, bottom = top - kCurve;
-    canvas.Text({0.5 * canvas.Width(), canvas.Height() - 14.0}, 0.0, 0.0,
-                "a rigid wander, D/sigma = 256, n = 64", 12.0, Align::Centre, ink::kBlack, true);
-    std::vector<bmr_vec2> curve;
-    constexpr int kSamples = 300;
-    double least = INFINITY, most = 0.0;
-    std::vector<double> distances;
-    const bmr_course followed = course.AsCourse();
-    for (int i = 0; i <= kSamples; ++i) {
-        const double time = static_cast<double>(i) / kSamples;
-        double distance = 0.0, when = 0.0;
-        Require(bmr_least_distance(followed.polygons[0], followed.polygons[1], followed.motions[0],
-                                   followed.motions[1], time, time, 1e-9, &distance, &when),
-                "a distance");
-        distances.push_back(distance);
-        least = std::min(least, distance);
-        most = std::max(most, distance);
-    }
-    for (int i = 0; i <= kSamples; ++i)
-        curve.push_back(
-            {at(static_cast<double>(i) / kSamples),
-             bottom + kCurve * std::log(distances[static_cast<size_t>(i)] / least) / std::log(most / least)});
-    canvas.Polygon({{kLeft, bottom}, {kLeft + width, bottom}, {kLeft + width, top}, {kLeft, top}}, {},
-                   {ink::kFaint, 1.0});
-    canvas.Polyline(curve, {ink::kBlack, 1.3});
-    canvas.Text({kLeft - 8.0, 0.5 * (top + bottom)}, 0.0, 2.0, "separation", 11.0, Align::Right);
-    canvas.Text({kLeft - 8.0, 0.5 * (top + bottom)}, 0.0, -12.0, "(log scale)", 9.5, Align::Right,
-                ink::kGrey);
-
-    double y = bottom - kRow;
-    const auto row = [&](const std::string &name, const std::vector<double> &times, const Colour &colour) {
-        canvas.Segment({kLeft, y}, {kLeft + width, y}, {ink::kFaint, 1.0});
-        for (const double time : times)
-            canvas.Segment({at(time), y - 8.0}, {at(time), y + 8.0}, {colour, 1.1});
-        canvas.Text({kLeft - 8.0, y}, 0.0, -4.0, name + " (" + std::to_string(times.size()) + ")", 10.5,
-                    Align::Right, colour);
-        y -= kRow;
-    };
-    bmr_optimum optimum = {};
-    std::vector<bmr_cover_line> cover(4096);
-    Require(bmr_offline_optimum(&followed, 1e-6, 0.02, cover.data(), cover.size(), &optimum), "the optimum");
-    std::vector<double> times;
-    for (size_t i = 1; i < std::min<size_t>(cover.size(), optimum.found); ++i)
-        times.push_back(cover[i].from);
-    row("optimum", times, ink::kBlack);
-    size_t index = 0;
-    for (const char *name : {"free-fd2", "lazy-compass", "active-cell-compass"}) {
-        times.clear();
-        Follow(course, Structure(name), bmr_default_kds_def(), false,
-               [&times](const bmr_simulation_event &event) {
-                   if (event.report.kind != BMR_KDS_START)
-                       times.push_back(event.time);
-               });
-        row(name, times, ink::Series(index++));
-    }
 }
 
 } // namespace testbed

@@ -96,8 +96,7 @@ void DrawBoomerangs(Canvas &canvas) {
     canvas.Text({x + 28.0, 22.0}, 0.0, 0.0, "bounding rectangle P0", 11.0);
     x += 42.0 + canvas.TextWidth("bounding rectangle P0", 11.0);
     for (uint32_t level = 1; level <= kLevels; ++level) {
-        canvas.Polygon({{x, 20.0}, {x + 12.0, 20.0}, {x + 12.0, 32.0}, {x, 32.0}},
-                       {ink::Series(level - 1), 0.22}, {ink::Series(level - 1), 1.0});
+        canvas.Box({x, 20.0, x + 12.0, 32.0}, {ink::Series(level - 1), 0.22}, {ink::Series(level - 1), 1.0});
         const std::string text = "cut at level " + std::to_string(level);
         canvas.Text({x + 18.0, 22.0}, 0.0, 0.0, text, 11.0);
         x += 34.0 + canvas.TextWidth(text, 11.0);

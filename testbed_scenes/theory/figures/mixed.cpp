@@ -130,8 +130,7 @@ void DrawNumbered(Canvas &canvas, const Rectangle &page, const Body &body, doubl
 }
 
 void DrawKey(Canvas &canvas, double x, double y, const Colour &colour, const std::string &text) {
-    canvas.Polygon({{x, y}, {x + 12.0, y}, {x + 12.0, y + 12.0}, {x, y + 12.0}}, {colour, 0.35},
-                   {colour, 1.0});
+    canvas.Box({x, y, x + 12.0, y + 12.0}, {colour, 0.35}, {colour, 1.0});
     canvas.Text({x + 18.0, y + 2.0}, 0.0, 0.0, text, 11.0);
 }
 
@@ -205,9 +204,9 @@ void DrawChange(Canvas &canvas, double left, double bottom, double size, const B
         const Tiling tiling(p, q, at + (side == 0 ? -kApart : kApart));
         const double x = left + side * (size + 12.0);
         canvas.ClearPanel();
-        canvas.Polygon({{x, bottom}, {x + size, bottom}, {x + size, bottom + size}, {x, bottom + size}}, {},
-                       {ink::kFaint, 1.0});
-        canvas.SetPanel({x, bottom, x + size, bottom + size}, world);
+        const Rectangle page = {x, bottom, x + size, bottom + size};
+        canvas.Box(page, {}, {ink::kFaint, 1.0});
+        canvas.SetPanel(page, world);
         DrawCells(canvas, tiling, 0.10);
         const bmr_mixed_cell now = bmr_mixed_triangle(tiling.Mixed(), shown.owner, shown.edge);
         canvas.Polygon(tiling.Corners(now), {ColourOf(now), 0.45}, {ColourOf(now), 1.6});
