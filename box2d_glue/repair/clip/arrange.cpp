@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clip/arrange.h"
+#include "clip/clip.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "clip/arrange.h"
-#include "clip/snap.h"
+#include "clip/clip.h"
 
 namespace bmr {
 

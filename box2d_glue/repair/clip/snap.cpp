@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "clip/snap.h"
+#include "clip/clip.h"
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <map>
+#include <utility>
 
 namespace bmr::repair {
 
 namespace {
-
-struct Cell {
-    int64_t x, y;
-    bool operator==(const Cell &other) const { return x == other.x && y == other.y; }
-};
-
-struct CellHash {
-    size_t operator()(const Cell &cell) const {
-        return static_cast<size_t>(static_cast<uint64_t>(cell.x) * 0x9E3779B97F4A7C15u +
-                                   static_cast<uint64_t>(cell.y) * 0xC2B2AE3D27D4EB4Fu);
-    }
-};
 
 /// All places of some paths, in rows; in each row from left to right.
 class Rows {
@@ -98,15 +87,15 @@ bool IsBeside(const Place &a, const Place &b, const Place &place, double reach, 
 } // namespace
 
 std::vector<Place> Gather(const std::vector<bmr_vec2> &points, double reach) {
-    std::unordered_map<Cell, std::vector<uint32_t>, CellHash> firsts;
+    std::map<std::pair<int64_t, int64_t>, std::vector<uint32_t>> firsts; // by cell of the size of `reach`
     std::vector<Place> places(points.size());
     for (uint32_t i = 0; i < points.size(); ++i) {
         const bmr_vec2 point = points[i];
-        const Cell cell = {static_cast<int64_t>(std::floor(point.x / reach)),
-                           static_cast<int64_t>(std::floor(point.y / reach))};
+        const auto column = static_cast<int64_t>(std::floor(point.x / reach)),
+                   row = static_cast<int64_t>(std::floor(point.y / reach));
         uint32_t first = i;
-        for (int64_t x = cell.x - 1; x <= cell.x + 1; ++x)
-            for (int64_t y = cell.y - 1; y <= cell.y + 1; ++y) {
+        for (int64_t x = column - 1; x <= column + 1; ++x)
+            for (int64_t y = row - 1; y <= row + 1; ++y) {
                 const auto near = firsts.find({x, y});
                 if (near == firsts.end())
                     continue;
@@ -118,7 +107,7 @@ std::vector<Place> Gather(const std::vector<bmr_vec2> &points, double reach) {
             }
         if (first == i) {
             places[i] = Place(std::llround(point.x), std::llround(point.y));
-            firsts[cell].push_back(i);
+            firsts[{column, row}].push_back(i);
         } else {
             places[i] = places[first];
         }
