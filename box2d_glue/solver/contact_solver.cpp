@@ -10,7 +10,6 @@
 #include <box2d/b2_world_callbacks.h>
 
 #include "base/private_members.h"
-#include "start/box2d_asserts.h"
 
 /// Box2D's switch, which no header of its declares: are the two points of a contact solved together?
 extern B2_API bool g_blockSolve;
@@ -161,7 +160,6 @@ void SolveTwoPoints(VelocityConstraint *constraint, Pair *pair) {
     VelocityPoint &first = constraint->points[0], &second = constraint->points[1];
     const b2Vec2 &normal = constraint->normal;
     const b2Vec2 before(first.normalImpulse, second.normalImpulse);
-    BMR_BOX2D_ASSERTS(before.x >= 0.0f && before.y >= 0.0f, "a.x >= 0.0f && a.y >= 0.0f");
     b2Vec2 b(b2Dot(pair->Relative(first), normal) - first.velocityBias,
              b2Dot(pair->Relative(second), normal) - second.velocityBias);
     b -= b2Mul(constraint->K, before);
@@ -222,7 +220,6 @@ void Read(const b2Contact &contact, VelocityConstraint *velocity, PositionConstr
     const b2Fixture *const fixtureA = contact.GetFixtureA(), *const fixtureB = contact.GetFixtureB();
     const b2Body *const bodyA = fixtureA->GetBody(), *const bodyB = fixtureB->GetBody();
     const b2Manifold &manifold = *contact.GetManifold();
-    BMR_BOX2D_ASSERTS(manifold.pointCount > 0, "pointCount > 0");
     const ContactBodies bodies = BodiesOf(*bodyA, *bodyB);
     velocity->bodies = bodies;
     velocity->friction = contact.GetFriction();

@@ -15,7 +15,6 @@
 #include "base/memory.h"
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
-#include "start/box2d_asserts.h"
 
 namespace bmr {
 
@@ -360,8 +359,6 @@ IslandSolver *IslandSolvers::Take() {
 
 void IslandSolver::SolveToi() {
     const int32 first = m_bodies[0]->*Named(IslandIndex()), second = m_bodies[1]->*Named(IslandIndex());
-    BMR_BOX2D_ASSERTS(first < static_cast<int32>(m_bodyCount), "toiIndexA < m_bodyCount");
-    BMR_BOX2D_ASSERTS(second < static_cast<int32>(m_bodyCount), "toiIndexB < m_bodyCount");
     if (!AreAllHere(first, second))
         return Clear();
     const Island island = {0, m_bodyCount, 0, m_contactCount, 0, 0, false, false};

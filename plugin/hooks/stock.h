@@ -59,13 +59,6 @@ namespace bmr::stock {
 
 BMR_HOOKS(BMR_STOCK)
 
-#if defined(BMR_RENAMED)
-/// Are Box2D's assertions compiled?
-bool Asserts();
-/// b2Assert, of an assertion that does not hold.
-void Fails(const char *assertion);
-#endif
-
 } // namespace bmr::stock
 
 namespace bmr::hooks {

@@ -16,7 +16,6 @@
 
 #include "boomerang/box2d.h"
 #include "interposed/real.h"
-#include "start/box2d_asserts.h"
 #include "start/hook_list.h"
 
 namespace bmr {
@@ -53,36 +52,6 @@ const void *FileOf(const void *address) {
     if (address != nullptr)
         dl_iterate_phdr(LookInto, &sought);
     return sought.file;
-}
-
-struct SoughtWords {
-    const void *file;
-    std::string_view words;
-    bool found;
-};
-
-int ReadThrough(dl_phdr_info *object, size_t, void *context) {
-    auto *sought = static_cast<SoughtWords *>(context);
-    if (object->dlpi_phdr != sought->file)
-        return 0;
-    for (int i = 0; i < object->dlpi_phnum && !sought->found; ++i) {
-        const ElfW(Phdr) &segment = object->dlpi_phdr[i];
-        if (segment.p_type != PT_LOAD || (segment.p_flags & (PF_R | PF_W)) != PF_R)
-            continue;
-        // NOLINTNEXTLINE(performance-no-int-to-ptr): where the loader has put it
-        const auto *bytes = reinterpret_cast<const char *>(object->dlpi_addr + segment.p_vaddr);
-        sought->found =
-            std::string_view(bytes, segment.p_filesz).find(sought->words) != std::string_view::npos;
-    }
-    return 1;
-}
-
-/// Do the read-only parts of that file have these words in them, as it was loaded?
-bool FileHolds(const void *address, const char *words) {
-    SoughtWords sought = {FileOf(address), words, false};
-    if (sought.file != nullptr)
-        dl_iterate_phdr(ReadThrough, &sought);
-    return sought.found;
 }
 
 struct Symbol {
@@ -265,8 +234,6 @@ const char *WhyLibraryIsUnknown() {
     }
     if (!Box2DStays())
         return NameBoth("the Box2D of this process was loaded after this library", PathOf(Find(kWorld)));
-    // The text of an assertion of its solver is there only where the solver is compiled.
-    SetBox2DAsserts(FileHolds(Find(kStep), "a.x >= 0.0f && a.y >= 0.0f"));
     return nullptr;
 }
 

@@ -5,8 +5,6 @@
 
 #include "boomerang/box2d.h"
 #include "debug/exit_line.h"
-#include "hooks/stock.h"
-#include "start/box2d_asserts.h"
 #include "start/install.h"
 
 namespace bmr {
@@ -29,8 +27,7 @@ bool internal::MeetBox2D(const void *) {
 namespace {
 
 // (Install may be called before the first step.)
-[[maybe_unused]] const bool told = (SetWay("compiled with Box2D", nullptr), SetBox2DAsserts(stock::Asserts()),
-                                    SetBox2DFails(stock::Fails), true);
+[[maybe_unused]] const bool told = (SetWay("compiled with Box2D", nullptr), true);
 
 } // namespace
 

@@ -59,7 +59,15 @@ install_and_keep_list() {
     cp "$manifest" "$WORK/manifest.txt"
 }
 
-uninstall_from_list() {
+# (By itself it installs what it takes away: ctest runs the end of a fixture without its beginning.)
+uninstall_all() {
+    [ -n "$(find "$prefix" -type f 2>"$WORK/none.txt")" ] || install_and_keep_list
+    [ -n "$(find "$prefix" -type f)" ] || fail "nothing was installed"
+    # What Python leaves beside a module that was imported goes with it.
+    local module
+    while read -r module; do
+        mkdir "$module/__pycache__" && touch "$module/__pycache__/pair.pyc"
+    done < <(find "$prefix" -type d -path '*-packages/boomerang')
     cp "$WORK/manifest.txt" "$manifest"
     cmake --build "$BUILD" --target uninstall
 }
@@ -246,12 +254,7 @@ plain)
         'The testbed needs what is not here; on Debian, `sudo apt-get install libcairo2-dev`.' -DBOOMERANG_BUILD_TESTBED=ON
     ;;
 uninstall)
-    [ -n "$(find "$prefix" -type f)" ] || fail "nothing was installed"
-    # What Python leaves beside a module that was imported goes with it.
-    while read -r module; do
-        mkdir "$module/__pycache__" && touch "$module/__pycache__/pair.pyc"
-    done < <(find "$prefix" -type d -path '*-packages/boomerang')
-    with_own_manifest uninstall_from_list
+    with_own_manifest uninstall_all
     # (What is not ours stays, empty or not.)
     [ -d "$prefix/include" ] || fail "uninstall took the prefix, which is not ours"
     left=$(find "$prefix" ! -type d)
