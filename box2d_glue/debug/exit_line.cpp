@@ -130,8 +130,7 @@ void TimeSteps() {
 }
 
 void ReadVerbosity() {
-    const HeldComplaints held;
-    if (WithEnvironment(Options()).verbosity > 0)
+    if (IsVerbose())
         TimeSteps();
     [[maybe_unused]] static const bool once = [] {
         if (CountsAreWanted()) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "start/settings.h"
 
-#include <algorithm>
-#include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 
@@ -49,60 +47,28 @@ void ActivateHooks() {
 
 namespace {
 
-/// Variables that have been complained about, a bit each.
+/// Variables, a bit each.
 enum Variable : unsigned { kMode = 1, kStructure = 2, kVerbose = 4, kEverywhere = 8 };
 
-thread_local bool complaintsHeld = false;
-
-/// One line, made of pieces as it is said: no memory is asked for, and none can be missing, in the middle of
-/// a game's step.
-class Complaint {
-public:
-    Complaint(Variable variable, const char *name, std::string_view value)
-        : m_said(!complaintsHeld && (complained.fetch_or(variable) & variable) == 0) {
-        if (m_said)
-            Add("boomerang: %s=%.*s is not understood, so it does nothing; known: ", name,
-                static_cast<int>(value.size()), value.data());
-    }
-    ~Complaint() {
-        if (m_said)
-            std::fprintf(stderr, "%s\n", m_line);
-    }
-    Complaint(const Complaint &) = delete;
-    Complaint &operator=(const Complaint &) = delete;
-
-    Complaint &Word(const char *before, const char *word) {
-        if (m_said)
-            Add("%s%s", before, word);
-        return *this;
-    }
-
-private:
-    BMR_FORMAT(2, 3) void Add(const char *format, ...) {
-        va_list arguments;
-        va_start(arguments, format);
-        // NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): va_start is one line above
-        const int added = std::vsnprintf(m_line + m_length, sizeof m_line - m_length, format, arguments);
-        va_end(arguments);
-        m_length = std::min(m_length + static_cast<size_t>(std::max(added, 0)), sizeof m_line - 1);
-    }
-
-    static std::atomic<unsigned> complained;
-    bool m_said;
-    char m_line[1024] = ""; ///< a value that is longer is cut
-    size_t m_length = 0;
-};
-std::atomic<unsigned> Complaint::complained{0};
+/// One line for a value that is not understood, once for a process: the beginning of it. True where it is to
+/// be ended by what is known.
+bool BeginComplaint(Variable variable, const char *name, std::string_view value, Complaints complaints) {
+    static std::atomic<unsigned> complained{0};
+    if (complaints == Complaints::Held || (complained.fetch_or(variable) & variable) != 0)
+        return false;
+    std::fprintf(stderr, "boomerang: %s=%.*s is not understood, so it does nothing; known: ", name,
+                 static_cast<int>(value.size()), value.data());
+    return true;
+}
 
 /// The place of the value among two words, or nothing where it is neither.
-std::optional<bool> ChoiceOfEnvironment(Variable variable, const char *name, const char *no,
-                                        const char *yes) {
+std::optional<bool> ChoiceOfEnvironment(Variable variable, const char *name, const char *no, const char *yes,
+                                        Complaints complaints = Complaints::Said) {
     const std::string_view value = ReadEnvironment(name);
-    if (value.empty())
-        return std::nullopt;
     if (value == no || value == yes)
         return value == yes;
-    Complaint(variable, name, value).Word("", no).Word(", ", yes);
+    if (!value.empty() && BeginComplaint(variable, name, value, complaints))
+        std::fprintf(stderr, "%s, %s\n", no, yes);
     return std::nullopt;
 }
 
@@ -117,14 +83,6 @@ std::string_view ReadEnvironment(const char *name) {
     return value != nullptr ? value : "";
 }
 
-HeldComplaints::HeldComplaints() {
-    complaintsHeld = true;
-}
-
-HeldComplaints::~HeldComplaints() {
-    complaintsHeld = false;
-}
-
 const char *NameOf(Mode mode) {
     switch (mode) {
     case Mode::Off:
@@ -137,16 +95,15 @@ const char *NameOf(Mode mode) {
     return "on";
 }
 
-std::optional<Mode> ModeOfEnvironment() {
+std::optional<Mode> ModeOfEnvironment(Complaints complaints) {
     const std::string_view value = ReadEnvironment("BOOMERANG");
-    if (value.empty())
-        return std::nullopt;
     if (value == "0" || value == "1")
         return value == "1" ? Mode::On : Mode::Off;
     for (const Mode mode : {Mode::On, Mode::Off, Mode::Verify})
         if (value == NameOf(mode))
             return mode;
-    Complaint(kMode, "BOOMERANG", value).Word("", "on, off, verify");
+    if (!value.empty() && BeginComplaint(kMode, "BOOMERANG", value, complaints))
+        std::fprintf(stderr, "on, off, verify\n");
     return std::nullopt;
 }
 
@@ -157,14 +114,20 @@ std::optional<bmr_structure> StructureOfEnvironment() {
     for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
         if (value == bmr_structure_name(static_cast<bmr_structure>(i)))
             return static_cast<bmr_structure>(i);
-    Complaint complaint(kStructure, "BOOMERANG_PAIRS_BY", value);
+    if (!BeginComplaint(kStructure, "BOOMERANG_PAIRS_BY", value, Complaints::Said))
+        return std::nullopt;
     for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
-        complaint.Word(i == 0 ? "" : ", ", bmr_structure_name(static_cast<bmr_structure>(i)));
+        std::fprintf(stderr, "%s%s", i == 0 ? "" : ", ", bmr_structure_name(static_cast<bmr_structure>(i)));
+    std::fprintf(stderr, "\n");
     return std::nullopt;
 }
 
 bool EverywhereOfEnvironment() {
     return ChoiceOfEnvironment(kEverywhere, "BOOMERANG_EVERYWHERE", "off", "on").value_or(false);
+}
+
+bool IsVerbose() {
+    return ChoiceOfEnvironment(kVerbose, "BOOMERANG_VERBOSE", "0", "1", Complaints::Held).value_or(false);
 }
 
 Options WithEnvironment(const Options &options) {

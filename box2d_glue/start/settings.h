@@ -132,8 +132,14 @@ std::string_view ReadEnvironment(const char *name);
 /// The word of Options::mode.
 const char *NameOf(Mode mode);
 
+/// Is it said that a value is not understood? Not by code that only looks.
+enum class Complaints : uint8_t { Said, Held };
+
 /// BOOMERANG, if it is there and understood.
-std::optional<Mode> ModeOfEnvironment();
+std::optional<Mode> ModeOfEnvironment(Complaints complaints = Complaints::Said);
+
+/// BOOMERANG_VERBOSE=1? Complaints are held.
+bool IsVerbose();
 
 /// `options`, outweighed by the environment.
 Options WithEnvironment(const Options &options);
@@ -142,16 +148,6 @@ Options WithEnvironment(const Options &options);
 std::optional<bmr_structure> StructureOfEnvironment();
 /// BOOMERANG_EVERYWHERE.
 bool EverywhereOfEnvironment();
-
-/// As long as one lives, this thread says nothing of values that are not understood: for code that only
-/// looks.
-class HeldComplaints {
-public:
-    HeldComplaints();
-    ~HeldComplaints();
-    HeldComplaints(const HeldComplaints &) = delete;
-    HeldComplaints &operator=(const HeldComplaints &) = delete;
-};
 
 } // namespace bmr
 

@@ -19,17 +19,6 @@ std::atomic<bool> internal::startsByItself{false};
 
 namespace {
 
-// When the library is loaded, no Box2D is needed yet. So values that are not understood are not reported
-// then; Install reports them.
-std::optional<Mode> ModeWithoutComplaint() {
-    const HeldComplaints held;
-    return ModeOfEnvironment();
-}
-bool IsVerbose() {
-    const HeldComplaints held;
-    return WithEnvironment(Options()).verbosity > 0;
-}
-
 long loadedIn;
 /// Preloaded, or asked for by the environment. Otherwise the program calls bmr::Install.
 bool startsAtFirstStep = false;
@@ -56,11 +45,12 @@ void SayAtExitIfNotUsed() {
 }
 
 /// Runs when the library is loaded, possibly before other libraries' and the program's own constructors: it
-/// looks at the environment and at what else is loaded.
+/// looks at the environment and at what else is loaded. No Box2D is needed yet, so values that are not
+/// understood are not reported here; Install reports them.
 __attribute__((constructor)) void Loaded() {
     SetLibraryCheck(WhyLibraryIsUnknown);
     if (AnotherIsCompiledIn()) {
-        if (ModeWithoutComplaint() != Mode::Off)
+        if (ModeOfEnvironment(Complaints::Held) != Mode::Off)
             Refuse(WhyLibraryIsUnknown());
         return;
     }
@@ -69,7 +59,7 @@ __attribute__((constructor)) void Loaded() {
         SetWay("ahead of Box2D", nullptr);
     else
         SetWay("not ahead of Box2D", WhyNoStepComesBy());
-    const std::optional<Mode> asked = ModeWithoutComplaint();
+    const std::optional<Mode> asked = ModeOfEnvironment(Complaints::Held);
     if (asked == Mode::Off)
         return;
     if (!asked && !IsPreloaded()) {
@@ -91,7 +81,7 @@ void internal::StartNow() {
     StartOnce([] {
         if (AnyBox2DBehind())
             Install(); // says itself why not; false where the program has called it before
-        else if (WithEnvironment(Options()).verbosity > 0 && ClaimAnnouncement())
+        else if (IsVerbose() && ClaimAnnouncement())
             std::fprintf(stderr, "boomerang: not used: %s\n", WhyModuleIsLeftAlone());
     });
 }
