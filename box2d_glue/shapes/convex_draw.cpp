@@ -10,7 +10,6 @@
 #include <box2d/b2_world.h>
 
 #include "boomerang/convex_shape.h"
-#include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 
 namespace bmr {

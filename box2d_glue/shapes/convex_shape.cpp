@@ -13,7 +13,6 @@
 
 #include "base/rounding_mode.h"
 #include "glue/contacts/contact_register.h"
-#include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"
 #include "shapes/outline_record.h"

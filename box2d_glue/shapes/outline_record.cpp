@@ -12,7 +12,6 @@
 
 #include "convex32/convex32_pieces.h"
 #include "geometry/memory.h"
-#include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/weighing.h"
 

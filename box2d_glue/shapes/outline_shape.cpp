@@ -10,7 +10,6 @@
 #include "base/rounding_mode.h"
 #include "geometry/memory.h"
 #include "glue/contacts/contact_register.h"
-#include "shapes/convex_access.h"
 #include "shapes/convex_geometry.h"
 #include "shapes/outline_record.h"
 #include "shapes/weighing.h"

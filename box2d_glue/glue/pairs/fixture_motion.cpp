@@ -9,8 +9,7 @@
 
 #include "base/private_members.h"
 #include "shapes/convex_geometry.h"
-#include "shapes/digest.h"
-#include "shapes/side_normals.h"
+#include "shapes/small_polygon.h"
 #include "start/settings.h"
 
 namespace bmr {

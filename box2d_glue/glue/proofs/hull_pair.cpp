@@ -14,8 +14,7 @@
 #include "debug/statistics.h"
 #include "glue/proofs/thresholds.h"
 #include "shapes/convex_geometry.h"
-#include "shapes/digest.h"
-#include "shapes/side_normals.h"
+#include "shapes/small_polygon.h"
 #include "start/settings.h"
 
 namespace bmr {

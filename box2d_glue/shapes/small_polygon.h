@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_GLUE_DIGEST_H
-#define BOOMERANG_GLUE_DIGEST_H
+#ifndef BOOMERANG_GLUE_SMALL_POLYGON_H
+#define BOOMERANG_GLUE_SMALL_POLYGON_H
 
 #include <algorithm>
 #include <cstdint>
@@ -9,6 +9,10 @@
 #include <box2d/b2_polygon_shape.h>
 
 #include "shapes/convex_geometry.h"
+
+/// @file
+/// A polygon of Box2D's own size: is it another than before, and can it be believed? A game may write to its
+/// vertices and normals.
 
 namespace bmr {
 
@@ -33,6 +37,14 @@ inline uint64_t DigestOf(const b2PolygonShape &polygon) {
     }
     return first * kSecond ^ second;
 }
+
+/// Does b2CollidePolygons see nothing of this small polygon but its vertices' hull? Ask each time before the
+/// vertices are relied on: when a hull is built of them, and when an existing hull is checked against them.
+bool VerticesTellAll(const b2PolygonShape &polygon);
+
+/// Do its normals turn to the left, once around? If they do not, Box2D may report contacts with shapes that
+/// are far away. Ask only where VerticesTellAll is true.
+bool TurnsOnce(const b2PolygonShape &polygon);
 
 } // namespace bmr
 

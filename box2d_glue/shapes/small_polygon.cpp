@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "shapes/side_normals.h"
+#include "shapes/small_polygon.h"
 
 #include <cmath>
-
-#include <box2d/b2_polygon_shape.h>
 
 namespace bmr {
 
