@@ -16,6 +16,7 @@ namespace testbed {
 
 struct ContactMembers : b2Contact {
     static uint32 Flags(const b2Contact &contact) { return contact.*&ContactMembers::m_flags; }
+    static const b2Contact *Previous(const b2Contact &contact) { return contact.*&ContactMembers::m_prev; }
     /// Without those that b2World::Solve and SolveTOI keep for themselves during a step: the next one clears
     /// them before it reads them. Bits that Box2D gives no meaning are not compared.
     static uint32 FlagsThatLast(const b2Contact &contact) {
