@@ -37,7 +37,7 @@ const b2ContactListener *listenerOfNewWorlds = nullptr;
 const b2ContactFilter *filterOfNewWorlds = nullptr;
 
 /// The answer: of a constant, or of a hook.
-char words[160];
+char sentence[160];
 
 struct HookInTrial {
     const char *name;
@@ -182,9 +182,9 @@ struct Constant {
 };
 
 const char *IsAnother(const Constant &constant) {
-    std::snprintf(words, sizeof words, "%s is %.5g here, %.5g in the Box2D this was built for", constant.name,
-                  static_cast<double>(constant.here), static_cast<double>(constant.expected));
-    return words;
+    std::snprintf(sentence, sizeof sentence, "%s is %.5g here, %.5g in the Box2D this was built for",
+                  constant.name, static_cast<double>(constant.here), static_cast<double>(constant.expected));
+    return sentence;
 }
 
 /// Makes `shape`, which has room behind it, a box whose half-width is a metre.
@@ -462,11 +462,11 @@ const char *WhichHookIsNotCalled() {
     uint32_t hook = 0;
     for (const HookInTrial &listed : kHooks) {
         if (listed.isHeard && (noted.load(std::memory_order_relaxed) >> hook & 1) == 0) {
-            std::snprintf(words, sizeof words,
+            std::snprintf(sentence, sizeof sentence,
                           "Box2D does not call Boomerang's %s. Link boomerang::box2d ahead of it, or use "
                           "boomerang_accelerate()",
                           listed.name);
-            return words;
+            return sentence;
         }
         ++hook;
     }

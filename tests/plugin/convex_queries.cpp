@@ -203,46 +203,6 @@ TEST_CASE("b2ShapeCast and b2TimeOfImpact, outside of any step") {
         CHECK(later > 30); // the control: octagons meet later
 }
 
-TEST_CASE("a proxy that somebody else filled is never taken for ours") {
-    Engine engine(4);
-    auto shape = std::make_unique<ConvexShape>(Make(Circle(300, 1.0f)));
-    b2DistanceProxy marked;
-    marked.Set(shape.get(), 0);
-    const std::vector<b2Vec2> square = {{-3.0f, -3.0f}, {3.0f, -3.0f}, {3.0f, 3.0f}, {-3.0f, 3.0f}};
-    std::vector<b2Vec2> cloud;
-    for (int i = 0; i < 300; ++i) // as many vertices as the marked one
-        cloud.push_back(square[static_cast<size_t>(i) / 75]);
-    const b2PolygonShape box = [] {
-        b2PolygonShape b;
-        b.SetAsBox(0.5f, 0.5f);
-        return b;
-    }();
-    for (const bool dead : {false, true}) {
-        if (dead)
-            shape.reset();
-        for (int i = 0; i < 200; ++i) {
-            b2DistanceInput input;
-            input.proxyA = marked; // its buffer too
-            if (i % 2 == 1) {
-                for (b2Vec2 &word : input.proxyA.m_buffer) {
-                    const uint64_t noise = engine();
-                    std::memcpy(static_cast<void *>(&word), &noise, sizeof noise);
-                }
-            }
-            input.proxyA.Set(cloud.data(), 300, 0.0f);
-            input.proxyB.Set(&box, 0);
-            input.transformA.SetIdentity();
-            input.transformB.Set(b2Vec2(10.0f, UniformF(engine, -2.0, 2.0)), 0.0f);
-            input.useRadii = false;
-            b2SimplexCache cache;
-            cache.count = 0;
-            b2DistanceOutput output;
-            b2Distance(&output, &cache, &input);
-            CHECK(output.distance == doctest::Approx(6.5));
-        }
-    }
-}
-
 namespace {
 
 class Touches : public b2ContactListener {
