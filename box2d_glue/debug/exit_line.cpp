@@ -39,13 +39,13 @@ int64_t Now() {
 
 /// Not of a process that was forked: its parent says what both had.
 void SayLine() {
-    const auto count = static_cast<double>(steps), looked = static_cast<double>(passes);
+    const auto count = static_cast<double>(steps), seen = static_cast<double>(passes);
     if (count == 0.0 || steppedIn != ThisProcess() || lineIsSaid.exchange(true))
         return;
     char ofPairs[120] = "";
-    if (looked > 0.0)
+    if (seen > 0.0)
         std::snprintf(ofPairs, sizeof ofPairs, "; %.1f pairs of awake bodies a step, %.1f of them touch",
-                      static_cast<double>(pairsSeen) / looked, static_cast<double>(touchingPairs) / looked);
+                      static_cast<double>(pairsSeen) / seen, static_cast<double>(touchingPairs) / seen);
     std::fprintf(stderr, "boomerang: %.0f steps, %.2f us each%s\n", count,
                  1e-3 * static_cast<double>(nanoseconds) / count, ofPairs);
 }

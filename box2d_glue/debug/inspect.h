@@ -43,7 +43,7 @@ struct Proof {
     const void *structure = nullptr;
 };
 
-/// The proof that the next look at this contact would end with if its bodies stayed where they are.
+/// The proof that the next update of this contact would end with if its bodies stayed where they are.
 BMR_BOX2D_API Proof Inspect(const b2Contact &contact);
 
 /// A level past every hierarchy's deepest: the hull itself.

@@ -9,7 +9,7 @@
 #include "boomerang/pair.h"
 
 /// @file
-/// What is counted of the work. The tests and the testbed are told all of it; a game is told bmr::Statistics.
+/// What is counted of the work. The tests and the testbed read all of it; a game reads bmr::Statistics.
 
 namespace bmr {
 
@@ -23,7 +23,7 @@ template <typename Number> struct CountsOf {
     Number verdictsReused{0};     ///< answers of a body pair given again at the same poses
     Number provedApart{0};        ///< evaluations answered without Box2D
     Number handedOver{0};         ///< evaluations that needed a manifold
-    Number handedOverTouching{0}; ///< of those, because the pair touched at the last look
+    Number handedOverTouching{0}; ///< of those, because the pair touched at the last update
     Number touchingAnswered{0};   ///< of those handed over, made here instead of by b2CollidePolygons
     Number toiAnswered{0};        ///< times of impact that a step asked for, answered without Box2D
     Number overlapsAnswered{0};   ///< overlaps of sensors, answered without Box2D
@@ -68,15 +68,15 @@ enum class Answer : int32_t {
     ApartByEdge,   ///< the edge that their contact remembers does; of a big ConvexShape its vertices
     ApartBySearch, ///< an edge, or the direction of a big one, was found, and is remembered from now on
     HandedOver,    ///< not known to be apart: a manifold was needed
-    Touching       ///< the same, nothing asked: they touched at the last look
+    Touching       ///< the same, nothing asked: they touched at the last update
 };
 
-/// Counts an event of these two bodies, and tells Options::onEvent of it. To be called where
+/// Counts an event of these two bodies, and hands it to Options::onEvent. To be called where
 /// Options::statistics is on.
 void ReportEvent(const b2Body *bodyA, const b2Body *bodyB, const bmr_event &event);
 
-/// Counts an answer, and tells whoever observes answers. `here`: a manifold that is needed is made here. The
-/// same holds.
+/// Counts an answer, and hands it to the observer, if there is one. `here`: a manifold that is needed is made
+/// here. The same holds.
 void ReportAnswer(const b2Contact &contact, Answer answer, bool here);
 
 /// Does anybody observe answers?
@@ -86,7 +86,7 @@ namespace internal {
 
 // For the tests and the testbed.
 BMR_BOX2D_API Counted ReadCounts();
-/// Told of every evaluation, once its manifold is there (implies Options::statistics). Ahead of Install.
+/// Called for every evaluation, once its manifold is there (implies Options::statistics). Ahead of Install.
 using AnswerObserver = void (*)(const b2Contact &contact, Answer answer);
 BMR_BOX2D_API void ObserveAnswers(AnswerObserver observer);
 

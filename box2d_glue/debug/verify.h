@@ -12,8 +12,8 @@ struct b2Pair;
 
 /// @file
 /// Mode::Verify. The passes work as in Mode::On. Where Verifying() (settings.h) they hand over here what they
-/// have answered, and Box2D is asked the same: of contacts that were looked at, of contacts that the loop
-/// over contacts passed without a look, and of pairs that were found. Each of these functions counts a
+/// have answered, and Box2D is asked the same: of contacts that were updated, of contacts that the loop
+/// over contacts passed without an update, and of pairs that were found. Each of these functions counts a
 /// comparison; the first difference of the process is described in one line on stderr, the others are
 /// counted. From any thread.
 ///

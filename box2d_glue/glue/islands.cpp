@@ -254,7 +254,7 @@ void IslandPass::SolveIsland() {
     for (uint32_t i = 0; i < m_solver->BodyCount(); ++i)
         if (m_solver->Body(i)->GetType() == b2_staticBody)
             BodyInIsland::Clear(m_solver->Body(i)); // it may be in other islands, too
-    // No other island comes by these contacts: their bodies that move are in this one.
+    // (Their bodies that move are in this island, so that no other one reads these contacts.)
     for (uint32_t i = 0; i < m_solver->ContactCount(); ++i)
         ContactAccess::Flags(m_solver->Contact(i)) &= ~ContactAccess::kInIsland;
     const bool callsGame = IsOfGame(m_listener) && m_solver->ContactCount() > 0;

@@ -8,9 +8,8 @@
 #include "exact32/float4.h"
 
 /// @file
-/// The boxes of a b2DynamicTree's nodes, in registers where the processor has lanes. Operations and operands
-/// are Box2D's, also where a number is none: b2Min(a, b) is `a < b ? a : b`, and so are the processor's
-/// lanes.
+/// The boxes of a b2DynamicTree's nodes, in lanes. Operations and operands are Box2D's, also where a number
+/// is none: b2Min(a, b) is `a < b ? a : b`, and so are lanes.
 
 namespace bmr::tree {
 
@@ -18,8 +17,6 @@ namespace bmr::tree {
 struct Perimeters {
     float first, second, aroundFirst, aroundSecond;
 };
-
-#if BMR_FLOAT4_NATIVE
 
 /// Lower x, lower y, upper x, upper y.
 using Box = float4;
@@ -65,50 +62,6 @@ public:
 private:
     float4 m_lower, m_upper; ///< x, y, x, y
 };
-
-#else
-
-using Box = b2AABB;
-
-inline Box BoxOf(const b2AABB &aabb) {
-    return aabb;
-}
-
-inline bool Overlap(const Box &a, const Box &b) {
-    return b2TestOverlap(a, b);
-}
-
-inline Box Around(Box a, const Box &b) {
-    a.Combine(b);
-    return a;
-}
-
-inline bool HasNumbers(const Box &a) {
-    return a.lowerBound.x == a.lowerBound.x && a.lowerBound.y == a.lowerBound.y &&
-           a.upperBound.x == a.upperBound.x && a.upperBound.y == a.upperBound.y;
-}
-
-inline void StoreBox(b2AABB *aabb, const Box &box) {
-    *aabb = box;
-}
-
-class LeafBox {
-public:
-    explicit LeafBox(const Box &box) : m_box(box) {}
-
-    Perimeters With(const Box &first, const Box &second) const {
-        b2AABB aroundFirst, aroundSecond;
-        aroundFirst.Combine(m_box, first);
-        aroundSecond.Combine(m_box, second);
-        return {first.GetPerimeter(), second.GetPerimeter(), aroundFirst.GetPerimeter(),
-                aroundSecond.GetPerimeter()};
-    }
-
-private:
-    Box m_box;
-};
-
-#endif
 
 /// Asks for a node's memory ahead of its use. There need be no such node: then for the first.
 inline void PrefetchNode(const b2TreeNode *nodes, int32 id) {

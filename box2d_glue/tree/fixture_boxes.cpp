@@ -21,8 +21,6 @@ namespace bmr::tree {
 
 namespace {
 
-#if BMR_FLOAT4_NATIVE
-
 /// Names protected members of b2Fixture's.
 struct ProxyAccess : b2Fixture {
     /// The proxy of a fixture that has one; nullptr where it has none, or several.
@@ -38,7 +36,7 @@ struct Corners {
     const bmr_convex32_block *big = nullptr;
 };
 
-/// Up to so many vertices a look at each of them costs less than a search for the outermost ones.
+/// Up to so many vertices reading each of them costs less than a search for the outermost ones.
 constexpr uint32_t kMostOneByOne = 24;
 
 /// Of Box2D's own polygons and circles, and of ConvexShapes; of nothing that a game has derived from them. (A
@@ -145,14 +143,6 @@ bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Trans
     }
     return true;
 }
-
-#else
-
-bool SynchronizeHere(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2Transform &) {
-    return false;
-}
-
-#endif
 
 } // namespace
 

@@ -141,7 +141,7 @@ TEST_CASE("a contact is held against Box2D's own answer where its bodies are") {
     CHECK(contacts >= 4);
 }
 
-TEST_CASE("the first difference is described with its step, its door, both answers and both fixtures") {
+TEST_CASE("the first difference is described with its step, its question and its fixtures") {
     b2World world({0.0f, 0.0f});
     b2BodyDef def;
     def.position.Set(3.0f, -4.0f);
@@ -150,17 +150,12 @@ TEST_CASE("the first difference is described with its step, its door, both answe
     box.SetAsBox(1.0f, 1.0f);
     const b2Fixture *fixture = world.CreateBody(&def)->CreateFixture(&box, 1.0f);
 
-    b2Manifold none = {};
+    const b2Manifold none = {};
     const std::string manifold = By([&] { bmr::VerifyManifold(fixture, nullptr, none, TwoPoints()); }).line;
-    CHECK(Holds(manifold,
-                "boomerang: first difference from Box2D, step 0, polygon manifold: pointCount (0 points "
-                "here, 2 in Box2D); fixture 0x"));
-    CHECK(Holds(manifold, " (at 3, -4, angle 0.5) against an unknown fixture\n"));
-
+    CHECK(Holds(manifold, "boomerang: first difference from Box2D, step 0: a manifold; fixture 0x"));
+    CHECK(Holds(manifold, " (at 3, -4, angle 0.5)\n"));
     CHECK(Holds(By([&] { bmr::VerifyOverlap(fixture, fixture, true, false); }).line,
-                "sensor overlap: overlap here, apart in Box2D; "));
-    CHECK(Holds(By([&] { bmr::VerifyOverlap(fixture, fixture, false, true); }).line,
-                "sensor overlap: apart here, overlap in Box2D; "));
+                "a sensor's overlap; fixture 0x"));
 }
 
 TEST_CASE("of many differences the first alone is described") {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "glue/contacts/convex_contact.h"
 
-#include <new>
 #include <utility>
 
-#include <box2d/b2_block_allocator.h>
 #include <box2d/b2_chain_shape.h>
 #include <box2d/b2_circle_shape.h>
 #include <box2d/b2_edge_shape.h>
@@ -89,7 +87,7 @@ double ReachOf(const b2Fixture *fixture) {
 }
 
 /// Are the disks around the bodies' origins that hold the two polygons farther apart than this? Coins are
-/// known apart by that nearly always, and it is a tenth of the look's work.
+/// known apart by that nearly always, and it is a tenth of the search's work.
 bool DisksSayApart(const b2Fixture *fixtureA, const b2Transform &xfA, const b2Fixture *fixtureB,
                    const b2Transform &xfB, float margin) {
     const bmr_convex32_block *a = BigPolygonOf(*fixtureA->GetShape()),
@@ -122,22 +120,6 @@ bool ConvexContact::Serves(const b2Shape &a, const b2Shape &b) {
     return BigPolygonOf(a) != nullptr || BigPolygonOf(b) != nullptr;
 }
 
-b2Contact *ConvexContact::Make(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
-                               b2BlockAllocator *allocator) {
-    void *memory = allocator->Allocate(sizeof(ConvexContact));
-    return new (memory) ConvexContact(fixtureA, indexA, fixtureB, indexB);
-}
-
-void ConvexContact::Unmake(ConvexContact *contact, b2BlockAllocator *allocator) {
-    contact->~ConvexContact();
-    allocator->Free(contact, sizeof(ConvexContact));
-}
-
-void ConvexContact::LearnVtable() {
-    const ConvexContact ours;
-    convexVtable.store(VtableOf(ours), std::memory_order_relaxed);
-}
-
 void ConvexContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
     NoteOtherCaller();
     const b2Manifold old = m_manifold; // most likely the one that is written
@@ -159,11 +141,11 @@ inline Answer ConvexContact::Ask(const b2Transform &xfA, const b2Transform &xfB)
     // As PolygonContact has it: what touched most likely does still.
     if (m_manifold.pointCount > 0)
         return Answer::Touching;
-    if (!IsOfPolygons()) // there the search for the manifold begins with the look
+    if (!IsOfPolygons()) // there the search for the manifold begins with that search
         return Answer::HandedOver;
     if (PairsAreHulls())
         return HullsSayApart(xfA, xfB) ? Answer::ApartByPair : Answer::HandedOver;
-    return Look(xfA, xfB);
+    return SearchApart(xfA, xfB);
 }
 
 bmr_vec2 ConvexContact::KnownDirection() const {
@@ -174,7 +156,7 @@ inline float ConvexContact::Margin() const {
     return static_cast<float>(ContactMargin(static_cast<double>(RadiusSum())));
 }
 
-inline Answer ConvexContact::Look(const b2Transform &xfA, const b2Transform &xfB) {
+inline Answer ConvexContact::SearchApart(const b2Transform &xfA, const b2Transform &xfB) {
     const float margin = Margin();
     if (DisksSayApart(m_fixtureA, xfA, m_fixtureB, xfB, margin))
         return Answer::ApartByEdge;
@@ -188,7 +170,7 @@ inline Answer ConvexContact::Look(const b2Transform &xfA, const b2Transform &xfB
     return isSame ? Answer::ApartByEdge : Answer::ApartBySearch;
 }
 
-/// For the life of the contact alone: what is asked here changes no memory.
+/// For the events of the contact alone: what is asked here changes no memory.
 ProofResult ConvexContact::ResultOf(Answer answer, bool points, const b2Transform &xfA,
                                     const b2Transform &xfB) const {
     if (answer == Answer::ApartBySearch)

@@ -77,34 +77,25 @@ void AnswerForOthers(const b2Contact &contact, const TwoFixtures &two, bool isIm
 
 /// A contact of a big ConvexShape with another polygon of any size, a circle, an edge or a link of a chain:
 /// the manifold of Box2D's algorithm run on all vertices.
-class ConvexContact final : public SolidContact {
+class ConvexContact final : public SolidContact, public ContactClass<ConvexContact> {
 public:
     // For the contact register. `fixtureA` is the polygon against a circle, the edge or the chain against a
     // polygon.
     static bool Serves(const b2Shape &a, const b2Shape &b);
-    static b2Contact *Make(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
-                           b2BlockAllocator *allocator);
-    static void Unmake(ConvexContact *contact, b2BlockAllocator *allocator);
-    /// Before the first is made.
-    static void LearnVtable();
 
-    /// `contact` as one of these, or nullptr.
-    static ConvexContact *AsOurs(b2Contact *contact) {
-        return VtableOf(*contact) == convexVtable.load(std::memory_order_relaxed)
-                   ? static_cast<ConvexContact *>(contact)
-                   : nullptr;
-    }
+    using ContactClass<ConvexContact>::AsOurs;
 
     void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
     void MakeManifold(bool touched, b2Manifold *old) override;
-    /// That of the last look.
+    /// That of the last update.
     bmr_vec2 KnownDirection() const override;
 
 private:
+    friend class ContactClass<ConvexContact>;
     ConvexContact() = default;
     using SolidContact::SolidContact;
 
-    Answer Look(const b2Transform &xfA, const b2Transform &xfB);
+    Answer SearchApart(const b2Transform &xfA, const b2Transform &xfB);
     float Margin() const;
     ProofResult ResultOf(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const;
     Answer Ask(const b2Transform &xfA, const b2Transform &xfB);

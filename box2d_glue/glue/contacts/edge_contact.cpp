@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "glue/contacts/edge_contact.h"
 
-#include <atomic>
-#include <new>
-
-#include <box2d/b2_block_allocator.h>
 #include <box2d/b2_chain_shape.h>
 #include <box2d/b2_edge_shape.h>
 #include <box2d/b2_fixture.h>
@@ -21,8 +17,6 @@ namespace bmr {
 
 namespace {
 
-std::atomic<const void *> edgeVtable{nullptr};
-
 const b2PolygonShape &PolygonOf(const b2Fixture *fixture) {
     return *static_cast<const b2PolygonShape *>(fixture->GetShape());
 }
@@ -31,28 +25,6 @@ const b2PolygonShape &PolygonOf(const b2Fixture *fixture) {
 
 bool EdgeContact::Serves(const b2Shape & /*a*/, const b2Shape &b) {
     return BigPolygonOf(b) == nullptr;
-}
-
-b2Contact *EdgeContact::Make(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
-                             b2BlockAllocator *allocator) {
-    void *memory = allocator->Allocate(sizeof(EdgeContact));
-    return new (memory) EdgeContact(fixtureA, indexA, fixtureB, indexB);
-}
-
-void EdgeContact::Unmake(EdgeContact *contact, b2BlockAllocator *allocator) {
-    contact->~EdgeContact();
-    allocator->Free(contact, sizeof(EdgeContact));
-}
-
-void EdgeContact::LearnVtable() {
-    const EdgeContact ours;
-    edgeVtable.store(SolidContact::VtableOf(ours), std::memory_order_relaxed);
-}
-
-EdgeContact *EdgeContact::AsOurs(b2Contact *contact) {
-    return SolidContact::VtableOf(*contact) == edgeVtable.load(std::memory_order_relaxed)
-               ? static_cast<EdgeContact *>(contact)
-               : nullptr;
 }
 
 /// False where Box2D must do it.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "glue/contacts/polygon_contact.h"
 
-#include <new>
-
-#include <box2d/b2_block_allocator.h>
 #include <box2d/b2_collision.h>
 #include <box2d/b2_fixture.h>
 
@@ -35,27 +32,6 @@ bool PolygonContact::Serves(const b2Shape &a, const b2Shape &b) {
     return !AnyBigPolygon() || (BigPolygonOf(a) == nullptr && BigPolygonOf(b) == nullptr);
 }
 
-b2Contact *PolygonContact::Make(b2Fixture *fixtureA, int32 /*indexA*/, b2Fixture *fixtureB, int32 /*indexB*/,
-                                b2BlockAllocator *allocator) {
-    void *memory = allocator->Allocate(sizeof(PolygonContact));
-    return new (memory) PolygonContact(fixtureA, fixtureB);
-}
-
-void PolygonContact::Unmake(PolygonContact *contact, b2BlockAllocator *allocator) {
-    contact->~PolygonContact();
-    allocator->Free(contact, sizeof(PolygonContact));
-}
-
-void PolygonContact::LearnVtable() {
-    const PolygonContact ours;
-    polygonVtable.store(VtableOf(ours), std::memory_order_relaxed);
-}
-
-PolygonContact::PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB)
-    : SolidContact(fixtureA, 0, fixtureB, 0) {
-    state.edge.number = kNoEdge;
-}
-
 void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
     NoteOtherCaller();
     FillManifold(Ask(xfA, xfB), manifold, xfA, xfB);
@@ -71,8 +47,8 @@ void PolygonContact::MakeManifold(bool touched, b2Manifold *old) {
 }
 
 inline Answer PolygonContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
-    // What touched at the last look most likely touches still: no question asked. (Its own manifold is read,
-    // not the caller's, which may be uninitialised.)
+    // What touched at the last update most likely touches still: no question asked. (Its own manifold is
+    // read, not the caller's, which may be uninitialised.)
     if (m_manifold.pointCount > 0)
         return Answer::Touching;
     if (!RoundsToNearest())
@@ -97,7 +73,7 @@ inline void PolygonContact::FillManifold(Answer answer, b2Manifold *manifold, co
     if (edgeFound && answer == Answer::HandedOver)
         answer = Answer::ApartBySearch;
     if (GetSettings().options.statistics) {
-        if (!PairsAreHulls()) // else the structure of the two bodies lives for them
+        if (!PairsAreHulls()) // else the structure of the two bodies has events
             TakeResult(ResultOf(answer, edgeFound));
         CountAnswer(answer);
     }
@@ -123,7 +99,7 @@ inline bool PolygonContact::CollideHere(b2Manifold *manifold, const b2Transform 
     const bmr_polygon32 a = Polygon32(ShapeOf(m_fixtureA)), b = Polygon32(ShapeOf(m_fixtureB));
     const int32_t edge = bmr_exact32_collide(Manifold32(manifold), &a, Transform32(xfA), &b, Transform32(xfB),
                                              RadiusSum(), kTolerance);
-    // (With Options::pairsBy no look asks this edge: it is the direction of the pair's line.)
+    // (With Options::pairsBy no update asks this edge: it is the direction of the pair's line.)
     state.edge.ofB = edge >= BMR_EDGES_OF_B32;
     state.edge.number = static_cast<uint8_t>(edge == BMR_NO_EDGE32 ? kNoEdge : edge & (BMR_EDGES_OF_B32 - 1));
     return edge != BMR_NO_EDGE32;

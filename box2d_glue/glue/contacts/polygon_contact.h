@@ -9,25 +9,12 @@ namespace bmr {
 
 /// Box2D's polygon contact with a separation proof in front. Its results are those of stock's to the bit.
 /// It serves polygons of Box2D's own size alone.
-class PolygonContact final : public SolidContact {
+class PolygonContact final : public SolidContact, public ContactClass<PolygonContact> {
 public:
     // For the contact register.
     static bool Serves(const b2Shape &a, const b2Shape &b);
-    static b2Contact *Make(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
-                           b2BlockAllocator *allocator);
-    static void Unmake(PolygonContact *contact, b2BlockAllocator *allocator);
-    /// Before the first is made.
-    static void LearnVtable();
 
-    /// `contact` as one of these, or nullptr.
-    static PolygonContact *AsOurs(b2Contact *contact) {
-        return VtableOf(*contact) == polygonVtable.load(std::memory_order_relaxed)
-                   ? static_cast<PolygonContact *>(contact)
-                   : nullptr;
-    }
-    static const PolygonContact *AsOurs(const b2Contact *contact) {
-        return AsOurs(const_cast<b2Contact *>(contact));
-    }
+    using ContactClass<PolygonContact>::AsOurs;
 
     void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
     void MakeManifold(bool touched, b2Manifold *old) override;
@@ -38,8 +25,12 @@ public:
     EdgeMemory *Memory() { return &state.edge; }
 
 private:
+    friend class ContactClass<PolygonContact>;
     PolygonContact() = default;
-    PolygonContact(b2Fixture *fixtureA, b2Fixture *fixtureB);
+    PolygonContact(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB)
+        : SolidContact(fixtureA, indexA, fixtureB, indexB) {
+        state.edge.number = kNoEdge;
+    }
 
     Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
     void FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);

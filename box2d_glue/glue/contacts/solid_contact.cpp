@@ -11,8 +11,6 @@
 
 namespace bmr {
 
-std::atomic<const void *> SolidContact::polygonVtable{nullptr}, SolidContact::convexVtable{nullptr};
-
 namespace {
 
 PairTable *PairTableOf(const b2Contact &contact) {
@@ -67,18 +65,18 @@ namespace {
 
 constexpr int8_t kCoarse = BMR_LEVEL_DISKS, kPolygons = 0;
 
-/// The life after a look, and the event; BMR_EVENT_KIND_COUNT if there is none.
+/// The state after an update, and the event; BMR_EVENT_KIND_COUNT if there is none.
 struct Transition {
     CertificateState next;
     bmr_event_kind event;
     int8_t levelBefore, levelAfter;
 };
 
-constexpr Transition Quiet(CertificateState life) {
-    return {life, BMR_EVENT_KIND_COUNT, 0, 0};
+constexpr Transition Quiet(CertificateState state) {
+    return {state, BMR_EVENT_KIND_COUNT, 0, 0};
 }
 
-/// A row for each life, a column for each finding: Nothing, ByDisks, Remembered, Another.
+/// A row for each state, a column for each result: Nothing, ByDisks, Remembered, Another.
 constexpr Transition kTransitions[4][4] = {
     {{CertificateState::Contact, BMR_EVENT_CONTACT, kCoarse, kPolygons},
      {CertificateState::Coarse, BMR_EVENT_START, kCoarse, kCoarse},
@@ -100,16 +98,17 @@ constexpr Transition kTransitions[4][4] = {
 
 } // namespace
 
-void SolidContact::TakeResult(ProofResult held) {
-    const Transition &turn = kTransitions[static_cast<int>(state.life)][static_cast<int>(held)];
-    state.life = turn.next;
-    if (turn.event != BMR_EVENT_KIND_COUNT)
+void SolidContact::TakeResult(ProofResult result) {
+    const Transition &transition =
+        kTransitions[static_cast<int>(state.certificate)][static_cast<int>(result)];
+    state.certificate = transition.next;
+    if (transition.event != BMR_EVENT_KIND_COUNT)
         ReportEvent(m_fixtureA->GetBody(), m_fixtureB->GetBody(),
-                    {turn.event, turn.levelBefore, turn.levelAfter, nullptr, nullptr, 0.0});
+                    {transition.event, transition.levelBefore, transition.levelAfter, nullptr, nullptr, 0.0});
 }
 
 void SolidContact::LeaveByLine() {
-    if (state.life == CertificateState::Contact)
+    if (state.certificate == CertificateState::Contact)
         TakeResult(ProofResult::Another);
 }
 
@@ -118,7 +117,7 @@ void SolidContact::TakeSensorResult(bmr_vec2 before) {
         TakeResult(ProofResult::Nothing);
         return;
     }
-    // If Box2D found the two apart, the direction is from another look, or there is none.
+    // If Box2D found the two apart, the direction is from another update, or there is none.
     const bmr_vec2 now = GuessDirection();
     if (SeparatesAlong(*m_fixtureA, *m_fixtureB, now))
         TakeResult(now.x == before.x && now.y == before.y ? ProofResult::Remembered : ProofResult::Another);

@@ -5,7 +5,9 @@
 #include <atomic>
 #include <cstdint>
 #include <cstring>
+#include <new>
 
+#include <box2d/b2_block_allocator.h>
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
@@ -18,9 +20,9 @@
 namespace bmr {
 
 /// @file
-/// A contact of two polygons is a kinetic structure of its own: it keeps a certificate from look to look.
-/// This is its life in the paper's words. (With Options::pairsBy the structures of two bodies' hulls live in
-/// their place, and core tells their events.)
+/// A contact of two polygons is a kinetic structure of its own: it keeps a certificate from update to update.
+/// These are its events in the paper's words. (With Options::pairsBy the structures of two bodies' hulls are
+/// in their place, and core tells their events.)
 ///
 /// A contact's structure has two levels.
 /// - Level 0 is the polygons themselves. Of two small ones the certificate is an edge of one, with all of the
@@ -28,7 +30,7 @@ namespace bmr {
 ///   sensor's contact it is a direction, too.
 /// - Level -1 is what is coarser: the disks around two big polygons.
 ///
-/// | event | it is told when |
+/// | event | it is reported when |
 /// | --- | --- |
 /// | start | the first certificate is made |
 /// | push | the certificate fails, and another edge or direction separates the two |
@@ -37,11 +39,11 @@ namespace bmr {
 /// | contact | nothing separates the two that is looked for: they are handed over to the exact test |
 /// | leave | the two were handed over, and are known to be apart now |
 ///
-/// There is no roll. All vertices of the other polygon are tried at a look, or the farthest is searched:
+/// There is no roll. All vertices of the other polygon are tried at an update, or the farthest is searched:
 /// there is no window that the direction could leave. For the same reason any other edge is a push, whichever
 /// of the two polygons it belongs to.
 ///
-/// No event: a look at which the certificate holds; a budget that is renewed by its line; the end of a
+/// No event: an update at which the certificate holds; a deadline that is renewed by its line; the end of a
 /// contact. Where the two bodies meet again, the new contact starts
 /// anew. (What was handed over may leave by the line that its pair in the table then gets.)
 ///
@@ -50,23 +52,23 @@ namespace bmr {
 
 /// The certificate that keeps a contact's polygons apart, as its events name it.
 enum class CertificateState : uint8_t {
-    Unborn, ///< nothing was found yet
+    None,   ///< nothing was found yet
     Coarse, ///< level -1
     Apart,  ///< level 0
     Contact ///< nothing: it is handed over
 };
 
-/// The result of a look at a contact.
+/// What an update finds out of a contact's certificate.
 enum class ProofResult : uint8_t {
     Nothing,    ///< not known to be apart
     ByDisks,    ///< the disks around the two polygons are apart
-    Remembered, ///< the certificate of the last look holds
+    Remembered, ///< the certificate of the last update holds
     Another     ///< another one was found
 };
 
 /// Our data of a contact, besides Box2D's: 16 bytes at most, for which Box2D's 224-byte block has room.
 struct ContactState {
-    CertificateState life;
+    CertificateState certificate;
     union {
         EdgeMemory edge;             ///< of a PolygonContact
         bmr_convex32_memory closest; ///< of a ConvexContact
@@ -74,15 +76,51 @@ struct ContactState {
 };
 static_assert(sizeof(ContactState) <= 16);
 
+/// An object's table of virtual functions, which tells contacts apart. Games build Box2D without run-time
+/// type information too, where typeid has nothing to read; but the table is always an object's first word,
+/// on every ABI that Box2D runs on.
+inline const void *VtableOf(const b2Contact &contact) {
+    const void *vtable;
+    std::memcpy(&vtable, static_cast<const void *>(&contact), sizeof vtable);
+    return vtable;
+}
+
+/// What the contact register needs of a class of ours: how its objects are made, unmade and recognised.
+template <typename Ours> class ContactClass {
+public:
+    static b2Contact *Make(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB,
+                           b2BlockAllocator *allocator) {
+        return new (allocator->Allocate(sizeof(Ours))) Ours(fixtureA, indexA, fixtureB, indexB);
+    }
+    static void Unmake(Ours *contact, b2BlockAllocator *allocator) {
+        contact->~Ours();
+        allocator->Free(contact, sizeof(Ours));
+    }
+    /// Before the first is made.
+    static void LearnVtable() {
+        const Ours ours;
+        vtable.store(VtableOf(ours), std::memory_order_relaxed);
+    }
+    static bool Has(const b2Contact &contact) {
+        return VtableOf(contact) == vtable.load(std::memory_order_relaxed);
+    }
+    /// `contact` as one of these, or nullptr.
+    static Ours *AsOurs(b2Contact *contact) { return Has(*contact) ? static_cast<Ours *>(contact) : nullptr; }
+    static const Ours *AsOurs(const b2Contact *contact) { return AsOurs(const_cast<b2Contact *>(contact)); }
+
+private:
+    static inline std::atomic<const void *> vtable{nullptr};
+};
+class ConvexContact;
+class PolygonContact;
+
 /// The base of our contacts that the table knows: PolygonContact and ConvexContact. (EdgeContact is none.)
 class SolidContact : public b2Contact {
 public:
     /// `contact` as one of ours, or nullptr: contacts that were born before the register knew us, and other
     /// shapes', are not.
     static SolidContact *AsOurs(b2Contact *contact) {
-        const void *vtable = VtableOf(*contact);
-        return vtable == polygonVtable.load(std::memory_order_relaxed) ||
-                       vtable == convexVtable.load(std::memory_order_relaxed)
+        return ContactClass<PolygonContact>::Has(*contact) || ContactClass<ConvexContact>::Has(*contact)
                    ? static_cast<SolidContact *>(contact)
                    : nullptr;
     }
@@ -111,26 +149,18 @@ public:
     /// The direction that this contact remembers itself, in the world, from A to B. Zero if there is none.
     virtual bmr_vec2 KnownDirection() const = 0;
     /// A direction, in the world, from A to B, that most likely keeps the two apart: it was remembered at the
-    /// last look, by the bodies' structure if it keeps them apart. Zero if there is none. For polygons alone.
+    /// last update, by the bodies' structure if it keeps them apart. Zero if there is none. For polygons
+    /// alone.
     bmr_vec2 GuessDirection() const;
 
-    /// Takes the result of a look into the contact's life, and reports the event, if it is one. Call it if
-    /// Options::statistics is on, for a contact of polygons.
-    void TakeResult(ProofResult held);
+    /// Takes the result of an update into the contact's state, and reports the event, if it is one. Call it
+    /// if Options::statistics is on, for a contact of polygons.
+    void TakeResult(ProofResult result);
     /// The same of a contact that was handed over, and of which the table now has a line.
     void LeaveByLine();
     /// The same of a sensor's contact, behind its update by Box2D. `before`: GuessDirection() from ahead of
     /// it.
     void TakeSensorResult(bmr_vec2 before);
-
-    /// An object's table of virtual functions, which tells contacts apart. Games build Box2D without run-time
-    /// type information too, where typeid has nothing to look at; but the table is always an object's first
-    /// word, on every ABI that Box2D runs on.
-    static const void *VtableOf(const b2Contact &contact) {
-        const void *vtable;
-        std::memcpy(&vtable, static_cast<const void *>(&contact), sizeof vtable);
-        return vtable;
-    }
 
     ContactState state;
 
@@ -138,9 +168,6 @@ protected:
     SolidContact() : state() {}
     SolidContact(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB)
         : b2Contact(fixtureA, indexA, fixtureB, indexB), state() {}
-
-    /// Of the two classes, from before the first contact of each is made; nullptr until then.
-    static std::atomic<const void *> polygonVtable, convexVtable;
 
     /// With Options::pairsBy, for two solid polygons: does the structure of their bodies prove them apart at
     /// these poses?

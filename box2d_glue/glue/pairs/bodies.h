@@ -21,7 +21,7 @@ public:
     void Forget() { m_count = 0; }
 
     /// Who may be in an island of the step that begins: awake, and not static. Puts all others out of
-    /// islands. False, and not looked at again for some steps, where too many are awake for a list of their
+    /// islands. False, and not tried again for some steps, where too many are awake for a list of their
     /// own to pay.
     bool FindAwake();
     uint32_t AwakeCount() const { return m_awakeCount; }

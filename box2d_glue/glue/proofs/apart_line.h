@@ -13,7 +13,7 @@ namespace bmr {
 class PairTable;
 class SolidContact;
 
-/// A contact of ours was looked at, and its two polygons do not touch: gives its pair in the table the
+/// A contact of ours was updated, and its two polygons do not touch: gives its pair in the table the
 /// budget that their distance allows, along the direction that is known already (the remembered edge's, that
 /// of a big polygon's memory, that of the bodies' structure), or along one that is found from there in a
 /// step. Leaves the pair due where that is no more than the margins.

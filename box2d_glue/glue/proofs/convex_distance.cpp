@@ -39,7 +39,7 @@ Mark MarkOf(const b2DistanceProxy &proxy) {
     return mark;
 }
 
-/// Has the polygon of this block these vertices? Found out without a look at the block, which another thread
+/// Has the polygon of this block these vertices? Found out without reading the block, which another thread
 /// may be freeing if it has not: a block's vertices are right behind it.
 bool VerticesAreOf(const bmr_convex32_block *block, const b2Vec2 *vertices) {
     return reinterpret_cast<const bmr_vec32 *>(block + 1) == Vectors32(vertices);
