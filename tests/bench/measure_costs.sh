@@ -9,7 +9,7 @@ usage() {
     cat <<'TEXT'
 usage: measure_costs.sh [--steps N] BUILD_DIRECTORY TABLE...
 
-Tables, each printed as its page has it (docs/cost-model.md):
+Tables, each printed as its page has it (docs/scenes.md):
   calls      instructions of one contact, query, overlap, new pair
   bodies     instructions of a step against the number of bodies, 1,000 to 50,000
   asleep     instructions of a step in which all bodies sleep

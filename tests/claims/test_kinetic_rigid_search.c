@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The search for a rigid motion of bounded degree that costs more than the square root of D/sigma events
-// (docs/rigid-adversary.md): motions built by hand, whose growth is fitted. The control is a motion of
+// (docs/open-question.md): motions built by hand, whose growth is fitted. The control is a motion of
 // unbounded degree, whose events grow faster and are told apart. BMR_TEST_SCALE=16: D/sigma up to 80,000.
 #include "boomerang/analysis.h"
 #include "checks.h"
@@ -299,7 +299,7 @@ static double repairs_on_gear(const char *name) {
     return (double)run.events - handovers;
 }
 
-/// The row of docs/rigid-adversary.md, "All families".
+/// The row of docs/open-question.md, "All families".
 TEST(on_a_gear_two_lines_have_fewer_repairs_than_one_line_has_events) {
     const double hybrid = repairs_on_gear("hybrid"), free_direction = repairs_on_gear("free-fd2"),
                  two_lines = repairs_on_gear("two-lines");

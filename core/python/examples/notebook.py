@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""A walk through the paper in cells (`# %%`: Jupyter, VS Code and Spyder open them as a notebook). docs/python.md quotes what it prints."""
+"""A walk through the paper in cells (`# %%`: Jupyter, VS Code and Spyder open them as a notebook). core/python/README.md quotes what it prints."""
 
 # %% Two polygons, asked once.
 import boomerang as bmr
