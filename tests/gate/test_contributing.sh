@@ -3,7 +3,7 @@
 #
 #   test_contributing.sh ROOT BUILD
 #
-# The commands of CONTRIBUTING.md are of this tree: the targets are built here, and the tests are there.
+# The commands of CONTRIBUTING.md are of this tree: the targets are built here, and the tests are there. Its diff made what is in the tree.
 set -u
 root=$1 build=$2
 room=$(mktemp -d)
@@ -35,5 +35,13 @@ said=$(wrong "$root/CONTRIBUTING.md")
 sed -e 's/test_pair/test_pears/g' -e 's|^\./tests/run|./tests/walk|' "$root/CONTRIBUTING.md" >"$room/page.md"
 [ "$(wrong "$room/page.md" | paste -s -d ,)" = "no target test_pears,no test test_pears,no command ./tests/walk" ] ||
     { echo "FAILED: the control: $(wrong "$room/page.md")"; failed=1; }
+# taken_back FILE: can the diff of a page be taken back from the tree?
+taken_back() {
+    sed -n '/^```diff$/,/^```$/{/^```/!p}' "$1" >"$room/diff"
+    [ -s "$room/diff" ] && patch --dry-run --reverse --force --fuzz=0 -p1 -d "$root" -i "$room/diff" >/dev/null
+}
+taken_back "$root/CONTRIBUTING.md" || { echo "FAILED: CONTRIBUTING.md: its diff is not of this tree"; failed=1; }
+sed 's/^+\(.*\)class Drifters/+\1class Shifters/' "$root/CONTRIBUTING.md" >"$room/page.md"
+! taken_back "$room/page.md" || { echo "FAILED: the control: another diff passes"; failed=1; }
 [ "$failed" -eq 0 ] && echo passed
 exit "$failed"
