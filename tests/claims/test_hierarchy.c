@@ -116,14 +116,12 @@ TEST(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex) {
 TEST(polygons_of_65535_vertices_pass_the_audit) {
     const test_family families[] = {TEST_CIRCLE, TEST_NEEDLE, TEST_TINY_EDGES};
     test_random random = {119};
-    for (size_t i = 0; i < COUNT_OF(families); ++i) {
-        own_polygon *p = test_polygon(families[i], 65535, &random);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        own_polygon *p = test_polygon(families[(size_t)kind % COUNT_OF(families)], 65535, &random);
         assert_true(p->count > 60000);
-        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-            own_hierarchy *h = built(kind, p);
-            assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
-            assert_true(bmr_hierarchy_bytes(h) + bmr_polygon_bytes(p->count) <= 160 * (size_t)p->count);
-        }
+        own_hierarchy *h = built(kind, p);
+        assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
+        assert_true(bmr_hierarchy_bytes(h) + bmr_polygon_bytes(p->count) <= 160 * (size_t)p->count);
     }
 }
 

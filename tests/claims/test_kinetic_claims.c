@@ -27,7 +27,7 @@ static const double kappa_back = 1.0 + 2.0 * 16.0 / 0.3;
 #define FEW 16
 #define NEAR 1e4
 #define NEARER 1e6
-#define FEW_SEEDS 12
+#define FEW_SEEDS 6
 
 static stage played(const bmr_outline outlines[2], size_t n, bmr_family family, double ratio, uint64_t seed) {
     return stage_of(outline(outlines[0], n, seed), outline(outlines[1], n, seed + 1),
