@@ -273,6 +273,29 @@ TEST(there_is_no_line_of_what_no_line_holds) {
     assert_true(gap_of(&line, &gone) == 0.0);
 }
 
+TEST(no_turn_is_too_large_for_a_line_to_notice) {
+    // A needle of 10,000 lengths: turned by half it is 20,000 lengths elsewhere, more than any count holds.
+    const bmr_vec2 d = {1.0, 0.0};
+    for (int both = 0; both <= 1; ++both) {
+        couple two = couple_at(-1000.0, 1e4);
+        const bmr_budget_line line = line_of(&two, d, 1.0); // by what lies far in front of their pivots
+        look(&two.b, 3000.0, 0.0, 0.0);                     // parted by as much as can be
+        look(&two.a, 953.0, 0.0, 0.0);
+        assert_true(gap_of(&line, &two) > 3047.0);
+        const bmr_pose half_a = {{953.0, 0.0}, -1.0, 0.0}, half_b = {{3000.0, 0.0}, -1.0, 0.0};
+        bmr_mover_look(&two.b, &half_b, UNITS);
+        if (both)
+            bmr_mover_look(&two.a, &half_a, UNITS);
+        assert_true(gap_of(&line, &two) <= 0.0);
+    }
+    // The same where the turn is no number.
+    couple two = couple_at(2047.0, 1.0);
+    const bmr_budget_line line = line_of(&two, d, 2045.0);
+    look(&two.b, 2047.0, 0.0, NAN);
+    look(&two.b, 2047.0, 0.0, 0.0);
+    assert_true(gap_of(&line, &two) <= 0.0);
+}
+
 TEST(a_line_says_nothing_wrong_until_turning_has_gone_on_by_its_limit) {
     const bmr_vec2 d = {1.0, 0.0};
     const uint32_t limit = 0x80000000u - BMR_BUDGET_MARK;

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What is said of a command line that makes no sense, and of an output that cannot be written.
+# What every command has in common: help, what is said of a command line that makes no sense, and of an output
+# that cannot be written.
 #
 #   test_usage_cli.sh DIRECTORY-OF-THE-PROGRAMS
 set -uo pipefail
@@ -10,50 +11,64 @@ set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/cli.sh"
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
-# refused PATTERN ARGUMENT…: exit code 2, and a message that names program and command and has the pattern.
-refused() {
-    local pattern=$1
-    shift
-    says '^boomerang-testbed: ' 2 "$@"
-    err_has "$pattern"
-    clean
-}
-
-test_options_that_are_none() {
-    refused 'compare has no option "--stpes"; the nearest is "--steps" \(boomerang-testbed compare --help' compare --stpes 3
-    refused 'render has no option "--widht"; the nearest is "--width"' render planks --widht=400 -o x.png
-    refused 'render has no option "-q"' render planks --step 4 -q -o x.png
-    refused 'there is no option "--nope" \(' --nope
-    refused 'run: "tiles" is one argument too many' run planks tiles
-    refused 'a command is wanted: list, run, compare,'
+commands() { "$testbed" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p'; }
+test_every_command_helps_and_refuses() {
+    local command
+    [ "$(commands | wc -l)" -ge 7 ] || fail "commands are not found in --help"
+    says '^boomerang-testbed [0-9]+\.[0-9]+\.[0-9]+$' 0 --version
+    for command in $(commands); do
+        says 'Exit codes: 0 .* 1 .* 2 .* 3 ' 0 "$command" --help
+        err_empty
+        clean
+        expect 2 "$command" --no-such-option
+        [ ! -s "$scratch/out" ] || fail "an error on standard output"
+        err_has '.'
+    done
 }
 
 # Names are offered where they are near, and not otherwise.
-test_near_names_only() {
-    refused 'no scene "plancks"; the nearest is "planks"' run plancks
-    refused 'no scene "asteroid"; the nearest is "asteroids"' run asteroid
-    refused 'no scene "xyzzy" \(boomerang-testbed list shows all\)' run xyzzy
-    refused 'no command "rendr"; the nearest is "render"' rendr
-    refused 'no command "foo" \(boomerang-testbed --help' foo
-    refused 'no motion "circle" \(--list' events circle
-    refused 'no option "--zzz" \(' compare --zzz
-}
-
-test_values() {
-    refused '^boomerang-testbed: render: --width: "100" is no whole number from 200 to 10000' render planks --step 1 --width 100 -o x.png
-    err_has '^    --width: Width in pixels'
-    refused '"3\.5" is no whole number from 1 to' run planks --size 3.5
-    refused '--seed: "-1" is no whole number from 0' run planks --seed -1
-    refused '--seed: "18446744073709551616" is no' run planks --seed 18446744073709551616
+test_what_makes_no_sense_is_refused() {
+    expect 2
+    while IFS='@' read -r words message; do
+        # shellcheck disable=SC2086 # words
+        says '^boomerang-testbed: ' 2 $words
+        err_has "$message"
+        clean
+    done <<'WORDS'
+@a command is wanted: list, run, compare,
+--nope@there is no option "--nope" \(
+rendr@no command "rendr"; the nearest is "render"
+foo@no command "foo" \(boomerang-testbed --help
+--workers /no/such list@cannot read /no/such: No such file
+compare --stpes 3@compare has no option "--stpes"; the nearest is "--steps" \(boomerang-testbed compare --help
+compare --zzz@no option "--zzz" \(
+compare neddles@nearest is "needles"
+compare pyramid --steps 0@no whole number from 1 to 100000000
+compare pyramid --steps many@no whole number
+compare pyramid --repeat 0@--repeat
+compare pyramid --structure lazy@--structure
+compare planks --repeat 2 --no-time@--repeat and --no-time do not go together
+run@
+run planks tiles@run: "tiles" is one argument too many
+run plancks@no scene "plancks"; the nearest is "planks"
+run asteroid@no scene "asteroid"; the nearest is "asteroids"
+run xyzzy@no scene "xyzzy" \(boomerang-testbed list shows all\)
+run planks --size 3.5@"3\.5" is no whole number from 1 to
+run planks --seed -1@--seed: "-1" is no whole number from 0
+run planks --seed 18446744073709551616@--seed: "18446744073709551616" is no
+run planks --structure lazy-compas@"lazy-compas" is none of lazy-compass, .*; the nearest is "lazy-compass"
+run planks --plugin maybe@"maybe" is none of on, off$
+render planks --widht=400 -o x.png@render has no option "--widht"; the nearest is "--width"
+render planks --step 4 -q -o x.png@render has no option "-q"
+render planks --step 1 --width 100 -o x.png@^boomerang-testbed: render: --width: "100" is no whole number from 200 to 10000
+render planks --step 1 --width 100 -o x.png@^    --width: Width in pixels
+render planks --step 1 -o@render: --output: a value is missing
+render planks --step 1 --step 2@render: --step: it is given more than once
+render planks --step 1@render needs --output
+render planks --step 1@^    --output: The picture
+events circle@no motion "circle" \(--list
+WORDS
     expect 0 run pyramid --size 3 --steps 1 --seed 18446744073709551615
-    refused '"lazy-compas" is none of lazy-compass, .*; the nearest is "lazy-compass"' run planks --structure lazy-compas
-    refused '"maybe" is none of on, off$' run planks --plugin maybe
-    refused 'render: --output: a value is missing' render planks --step 1 -o
-    refused 'render: --step: it is given more than once' render planks --step 1 --step 2
-    refused 'render needs --output' render planks --step 1
-    err_has '^    --output: The picture'
-    refused '--repeat and --no-time do not go together' compare planks --repeat 2 --no-time
-    refused 'cannot read .*/none: No such file' --workers "$scratch/none" list
 }
 
 count=(events line --structures lazy-compass --seeds 40 --n 16 --ratios 8 --quiet --csv)
@@ -104,9 +119,33 @@ test_help_builds_nothing() {
     done
     [ ! -e "$scratch/build" ] || fail "it makes a directory to build in"
     BMR_BUILD_DIR=$scratch/build "$root/testbed_scenes/run" --help >"$scratch/out"
-    "$testbed" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p' >"$scratch/commands"
-    [ "$(wc -l <"$scratch/commands")" -ge 7 ] || fail "control: no list of commands"
-    while read -r command; do out_has "(^|[ ,])$command[,.]"; done < <(grep . "$scratch/commands")
+    for command in $(commands); do out_has "(^|[ ,])$command[,.]"; done
+}
+
+test_output_that_cannot_be_written_is_a_failure() {
+    local command status
+    for command in --help --version 'figures --list' 'events --list' list; do
+        status=0
+        claim="boomerang-testbed $command >/dev/full"
+        # shellcheck disable=SC2086
+        "$testbed" $command >/dev/full 2>"$scratch/err" || status=$?
+        [ "$status" -eq 3 ] || fail "exit status $status, not 3"
+        err_has 'could not be written'
+    done
+}
+
+# Who reads only a line ends the rest quietly.
+test_a_broken_pipe_is_quiet() {
+    claim='boomerang-testbed list | head -n 1'
+    "$testbed" list 2>"$scratch/err" | head -n 1 >"$scratch/out"
+    [ -s "$scratch/out" ] || fail "nothing"
+    err_empty
+    claim='boomerang-testbed list, nobody reading'
+    local status
+    { "$testbed" list 2>"$scratch/err"; echo $? >"$scratch/status"; } | true
+    status=$(cat "$scratch/status")
+    [ "$status" -eq 141 ] || [ "$status" -eq 0 ] || fail "exit status $status"
+    err_empty
 }
 
 run_tests
