@@ -277,6 +277,65 @@ static entry_told enter(const bmr_convex32_block *piece, float x1, float y1, flo
     return told;
 }
 
+TEST(a_ray_comes_in_by_faces_and_past_ends_of_inner_edges) {
+    own_convex32 *piece = right_half(0.0f);
+    assert_int_equal(enter(piece, 0.5f, 0.5f, 0.5f, -0.5f, 2).entry, BMR_ENTRY_FACE);
+    assert_int_equal(enter(piece, -0.5f, -0.5f, 0.5f, -0.5f, 3).entry, BMR_ENTRY_INNER);
+    assert_int_equal(enter(piece, -0.5f, 0.499f, 0.5f, -0.501f, 3).entry, BMR_ENTRY_INNER);
+    const entry_told through = enter(piece, -0.5f, 0.5f, 0.5f, -0.5f, 3);
+    assert_int_equal(through.entry, BMR_ENTRY_CORNER);
+    assert_true(through.corner.x == 0.0f && through.corner.y == 0.0f && through.fraction == 0.5);
+    // Along the inner edge rounding says anything of where; it comes in at the end that is first.
+    const entry_told down = enter(piece, 0.0f, 0.25f, 0.0f, -1.25f, 3);
+    assert_int_equal(down.entry, BMR_ENTRY_CORNER);
+    assert_true(down.corner.y == 0.0f && fabs(down.fraction - 1.0 / 6.0) < 1e-12);
+    // From afar rounding is more.
+    assert_int_equal(enter(piece, -1e5f, 1e5f + 0.1f, 1e5f, -1e5f + 0.1f, 3).entry, BMR_ENTRY_CORNER);
+    // It passes the far end, after it has come in far from any.
+    assert_int_equal(enter(piece, -4.5e-6f, 0.0f, 4.5e-6f, -1.5f, 3).entry, BMR_ENTRY_INNER);
+    assert_int_equal(enter(piece, -0.5f, 0.0f, 0.5f, -2.0f, 3).entry, BMR_ENTRY_CORNER);
+    assert_int_equal(enter(piece, -1.0f, 0.0f, 1.0f, -0.5f, 3).entry, BMR_ENTRY_INNER);
+}
+
+TEST(a_ray_comes_through_what_is_inside_of_faces_or_beside_seams) {
+    own_convex32 *piece = right_half(0.0f);
+    const bmr_vec32 beside[] = {{-1e-6f, -0.5f}, {1e-6f, -0.5f}, {0.5f, -1e-6f}, {0.5f, 1e-6f},
+                                {0.5f, -0.5f},   {-0.1f, -0.5f}, {0.5f, 0.1f}};
+    const bool through[] = {true, true, false, false, true, false, false};
+    for (size_t i = 0; i < sizeof beside / sizeof *beside; ++i) {
+        const bmr_vec32 far_on = {5.0f, -5.0f};
+        const bmr_piece_ray32 ray = bmr_convex32_piece_ray(beside[i], far_on, 2.0f);
+        // At its begin: nothing before that is asked.
+        assert_int_equal(bmr_convex32_comes_through(piece, &ray, 0.0), through[i]);
+        assert_int_equal(bmr_convex32_comes_through(piece, &ray, 1e-6), through[i]);
+    }
+}
+
+TEST(a_corner_is_entered_by_the_face_that_is_run_against) {
+    own_convex32 *piece = right_half(0.0f);
+    const bmr_vec32 right_corner = {1.0f, 0.0f}, left_corner = {0.0f, 0.0f}, middle = {0.5f, 0.0f};
+    const bmr_vec32 steep = {2.0f, 2.0f}, flat = {4.0f, 1.0f}, below = {2.0f, -1.0f}, on = {2.0f, 0.0f};
+    const bmr_vec32 hardly_above = {2.0f, 1e-6f}, other_side = {-2.0f, 0.5f};
+    const struct {
+        bmr_vec32 p1, corner, normal; ///< {0, 0}: none is
+    } cases[] = {{steep, right_corner, {0.0f, 1.0f}},     {flat, right_corner, {1.0f, 0.0f}},
+                 {below, right_corner, {1.0f, 0.0f}},     {steep, left_corner, {0.0f, 1.0f}},
+                 {steep, middle, {0.0f, 1.0f}},           {below, left_corner, {0.0f, 0.0f}},
+                 {on, left_corner, {0.0f, 0.0f}},         {hardly_above, left_corner, {0.0f, 0.0f}},
+                 {other_side, left_corner, {0.0f, 1.0f}}, {steep, {1.5f, 0.0f}, {0.0f, 0.0f}},
+                 {steep, {0.5f, 0.1f}, {0.0f, 0.0f}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const bmr_vec32 p1 = cases[i].p1, c = cases[i].corner;
+        const bmr_vec32 p2 = {p1.x + 2.0f * (c.x - p1.x) - 0.001f, p1.y + 2.0f * (c.y - p1.y)};
+        const bmr_piece_ray32 ray = bmr_convex32_piece_ray(p1, p2, 2.0f);
+        bmr_vec32 normal = {0.0f, 0.0f};
+        double against = 0.0;
+        bmr_convex32_face_against(piece, &ray, c, &against, &normal);
+        assert_true(normal.x == cases[i].normal.x && normal.y == cases[i].normal.y);
+        assert_int_equal(against < 0.0, normal.x + normal.y != 0.0f);
+    }
+}
+
 static bmr_piece_corner32 plain(float x, float y, bool inner) {
     return corner(x, y, inner, x, y);
 }

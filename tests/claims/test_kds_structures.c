@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What boomerang/kds.h promises of every structure, each on the motions that it is for.
+#include "boomerang/kds.h"
 #include "checks.h"
 #include "kds/point.h"
 #include "kds_driver.h"
@@ -305,4 +306,119 @@ TEST(a_hierarchy_of_a_polygon_that_is_no_more_is_refused) {
         bmr_kds_destroy(kds, NULL);
     }
     bmr_polygon_destroy((bmr_polygon *)(uintptr_t)a.polygon, NULL);
+}
+
+TEST(every_structure_is_found_by_its_name_alone) {
+    for (size_t i = 0; i < bmr_kds_count(); ++i) {
+        const bmr_kds_info *info = NULL;
+        assert_int_equal(bmr_kds_find(bmr_kds_at(i)->name, &info), BMR_OK);
+        assert_ptr_equal(info, bmr_kds_at(i));
+        for (size_t j = 0; j < i; ++j)
+            assert_string_not_equal(bmr_kds_at(j)->name, bmr_kds_at(i)->name);
+    }
+    assert_null(bmr_kds_at(bmr_kds_count()));
+}
+
+TEST(a_wrong_name_is_told_with_the_names_there_are) {
+    static const char *const wrong[] = {"", "lazy", "lazy-dk", "Lazy-Dudley", "lazy-dudley ", "predict-"};
+    const bmr_kds_info *const untouched = bmr_kds_at(3);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+        const bmr_kds_info *info = untouched;
+        assert_int_equal(bmr_kds_find(wrong[i], &info), BMR_ERROR_UNKNOWN_NAME);
+        assert_ptr_equal(info, untouched);
+        char text[1024];
+        assert_true(bmr_kds_describe_unknown(wrong[i], text, sizeof text) < sizeof text);
+        char quoted[32] = "\"";
+        strcat(strcat(quoted, wrong[i]), "\"");
+        assert_non_null(strstr(text, quoted));
+        for (size_t k = 0; k < bmr_kds_count(); ++k)
+            assert_non_null(strstr(text, bmr_kds_at(k)->name));
+    }
+    const bmr_kds_info *info = untouched;
+    assert_int_equal(bmr_kds_find(NULL, &info), BMR_ERROR_NULL_ARGUMENT);
+    assert_int_equal(bmr_kds_find("hybrid", NULL), BMR_ERROR_NULL_ARGUMENT);
+    assert_ptr_equal(info, untouched);
+}
+
+TEST(the_sentence_fits_what_it_is_given) {
+    char whole[1024], part[64];
+    const size_t length = bmr_kds_describe_unknown("x", whole, sizeof whole);
+    assert_int_equal(length, strlen(whole));
+    assert_int_equal(bmr_kds_describe_unknown("x", NULL, 0), length);
+    assert_int_equal(bmr_kds_describe_unknown("x", NULL, 64), length);
+    for (size_t size = 0; size <= sizeof part; ++size) {
+        memset(part, '#', sizeof part);
+        assert_int_equal(bmr_kds_describe_unknown("x", part, size), length);
+        if (size > 0) {
+            assert_memory_equal(part, whole, size - 1);
+            assert_int_equal(part[size - 1], 0);
+        }
+        for (size_t i = size; i < sizeof part; ++i)
+            assert_int_equal(part[i], '#');
+    }
+    char longer[200];
+    memset(longer, 'y', sizeof longer - 1);
+    longer[sizeof longer - 1] = 0;
+    assert_int_equal(bmr_kds_describe_unknown(longer, NULL, 0), length + 63); // 64 bytes of it, in place of 1
+    assert_true(bmr_kds_describe_unknown(NULL, whole, sizeof whole) == length - 1);
+}
+
+static const char *const names[] = {"lazy-compass", "lazy-dudley"};
+#define NAMES (sizeof names / sizeof *names)
+
+/// A coarser line proves at least this part of what the finer one does (lazy.c), for each level.
+#define COARSEN_PART 0.25
+
+typedef struct coarsenings {
+    bmr_kds_proof last; ///< after the event before
+    double margin;
+    size_t seen, thin, poorer; ///< thin: by less than that part; poorer: by less than all of it
+} coarsenings;
+
+/// By how much more than the margin the proof's line separates from its nearest corner.
+static double proved(const bmr_kds_proof *proof, const bmr_pose *b_in_a, double margin) {
+    const bmr_pose other = proof->owner == 0 ? *b_in_a : bmr_pose_inverse(b_in_a);
+    return bmr_dot(proof->line.normal, bmr_transform(&other, proof->nearest)) - proof->line.offset - margin;
+}
+
+/// At a roll the corner before and the one after lie on one line along the proof's: what the finer line
+/// proves is what it proved for the last corner.
+static void look_at_coarsening(void *context, const test_drive_event *event) {
+    coarsenings *c = context;
+    const bmr_kds_proof before = c->last;
+    const bmr_kds_report *report = &event->report;
+    if (!bmr_kds_get_proof(event->kds, &c->last) || report->kind != BMR_KDS_ROLL ||
+        report->level_after >= report->level_before)
+        return;
+    const double rounding = 1e-6, finer = proved(&before, &event->now.pose, c->margin),
+                 coarser = proved(&c->last, &event->now.pose, c->margin);
+    ++c->seen;
+    c->thin +=
+        coarser < (1.0 - rounding) * pow(COARSEN_PART, report->level_before - report->level_after) * finer;
+    c->poorer += coarser < (1.0 - rounding) * finer;
+}
+
+TEST(a_coarser_line_after_a_roll_proves_a_good_part) {
+    for (size_t i = 0; i < NAMES; ++i) {
+        test_random random = {505};
+        bmr_kds_def def = bmr_default_kds_def();
+        def.margin = 1e-7;
+        coarsenings all = {.margin = def.margin};
+        for (int round = 0; round < 4; ++round) {
+            own_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, 1024, &random));
+            own_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, 1024, &random));
+            const test_path path = test_path_make(TEST_PATH_ORBIT, a.polygon, b.polygon,
+                                                  0.02 * a.polygon->radius, true, &random);
+            const test_drive how = {.path = &path,
+                                    .audit_every = 1000,
+                                    .margin = def.margin,
+                                    .on_event = look_at_coarsening,
+                                    .context = &all};
+            own_kds *kds = made_kds(test_structure(names[i]), &def, &a.shape, &b.shape);
+            const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
+            assert_true(test_drive_is_sound(&r));
+        }
+        assert_int_equal(all.thin, 0);
+        assert_true(all.poorer > 0); // the control: some prove less than all
+    }
 }
