@@ -241,6 +241,18 @@ TEST(a_line_is_used_up_by_turning_and_by_coming_nearer_and_by_nothing_else) {
     assert_true(gap_of(&line, &two) <= -2.0 - turning);
 }
 
+TEST(the_length_of_a_lines_direction_does_not_matter) {
+    const double lengths[] = {0x1p-499, 1e-100, 1e-7, 0.5, 1.0, 2.0, 3e5, 1e100, 0x1p499};
+    const couple two = couple_at(1000.0, 300.0);
+    for (size_t i = 0; i < COUNT(lengths); ++i) {
+        const bmr_vec2 d = {0.6 * lengths[i], 0.8 * lengths[i]};
+        const bmr_budget_line line = line_of(&two, d, -10.0 * lengths[i]);
+        const double nx = (double)line.normal[0], ny = (double)line.normal[1];
+        assert_true(nx * nx + ny * ny <= 1.0 && nx * nx + ny * ny > 1.0 - 1e-6);
+        assert_true(gap_of(&line, &two) <= -10.0 * hypot(nx, ny) && gap_of(&line, &two) > -10.001);
+    }
+}
+
 TEST(there_is_no_line_of_what_no_line_holds) {
     const couple two = couple_at(10.0, 1.0), far = couple_at(2048.5, 1.0), near = couple_at(2047.5, 1.0);
     const bmr_vec2 d = {1.0, 0.0};
@@ -294,6 +306,20 @@ TEST(no_turn_is_too_large_for_a_line_to_notice) {
     look(&two.b, 2047.0, 0.0, NAN);
     look(&two.b, 2047.0, 0.0, 0.0);
     assert_true(gap_of(&line, &two) <= 0.0);
+}
+
+TEST(a_line_that_proves_nothing_never_becomes_one_that_does_by_standing_still) {
+    // Deep in each other and far from each other along d: sums of two such numbers must not wrap.
+    const bmr_vec2 d = {1.0, 0.0};
+    for (double way = 100.0; way < 40000.0; way *= 1.25)
+        for (double gap = -100.0; gap > -40000.0; gap *= 1.25) {
+            couple two = couple_at(way, 1e6);
+            const bmr_budget_line line = line_of(&two, d, gap);
+            look(&two.b, -way, 0.0, 0.0);
+            assert_true(gap_of(&line, &two) <= 0.0);
+            two.b.turned += 0x80000000u - BMR_BUDGET_MARK;
+            assert_true(gap_of(&line, &two) <= 0.0);
+        }
 }
 
 TEST(a_line_says_nothing_wrong_until_turning_has_gone_on_by_its_limit) {
