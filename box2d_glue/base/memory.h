@@ -3,6 +3,7 @@
 #define BOOMERANG_GLUE_MEMORY_H
 
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -10,11 +11,31 @@
 
 namespace bmr {
 
+[[noreturn]] inline void EndWithoutMemory() {
+    std::fputs("boomerang: there is no memory\n", stderr);
+    std::abort();
+}
+
 /// The glue's own memory: realloc, which for big blocks moves pages and no bytes. Without memory it ends the
 /// program with a sentence, as Box2D ends in its own allocations. Freed by std::free. (Shapes, outlines and
 /// the recorder answer with an error instead.)
-void *TakeMemory(void *block, std::size_t bytes);
-[[noreturn]] void EndWithoutMemory();
+inline void *TakeMemory(void *block, std::size_t bytes) {
+    void *const taken = std::realloc(block, bytes);
+    if (taken == nullptr)
+        EndWithoutMemory();
+    return taken;
+}
+
+/// For containers of the standard library.
+template <typename T> struct GlueAllocator {
+    using value_type = T;
+    GlueAllocator() = default;
+    template <typename Other> GlueAllocator(const GlueAllocator<Other> &) {}
+    T *allocate(std::size_t count) { return static_cast<T *>(TakeMemory(nullptr, count * sizeof(T))); }
+    void deallocate(T *block, std::size_t) { std::free(block); }
+    template <typename Other> bool operator==(const GlueAllocator<Other> &) const { return true; }
+    template <typename Other> bool operator!=(const GlueAllocator<Other> &) const { return false; }
+};
 
 /// This thread's own T, freed with the thread; nullptr from then on when the thread's
 /// objects have begun to die: what dies later (a static object's destructor, a thread_local of the game's)

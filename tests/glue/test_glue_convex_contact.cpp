@@ -97,16 +97,6 @@ AS_STOCK_HOW(kInstalls, "contacts that were alive at Install go on and are given
     game.Step();
 }
 
-AS_STOCK("Mode::Verify finds nothing that differs in a heap of big shapes") {
-    Heard game(run, {0.0f, -10.0f});
-    shapes::Engine engine(8);
-    Mixed(game, engine, 64);
-    game.Step(120);
-    const bmr::Counted s = bmr::internal::ReadCounts();
-    run.ExpectCounted(s.provedApart > 10, "some are proved apart");
-    run.Expect(!run.Verifies() || s.verified > 100, "answers are verified");
-}
-
 AS_STOCK("far from the origin nothing is proved apart that has points") {
     constexpr float kFar = 100000.0f; // floats are 8 mm apart
     // Sharp ends that meet head-on: their sides hardly separate them.

@@ -59,23 +59,6 @@ void Heap(Game &game, float x) {
 
 } // namespace
 
-AS_STOCK("Install before the first contact takes effect, and leaves the other kinds of contacts alone") {
-    Heard game(run, {0.0f, -10.0f});
-    Heap(game, 0.0f);
-    for (int i = 0; i < 4; ++i) {
-        b2CircleShape circle;
-        circle.m_radius = 0.4f;
-        game.Fixture(game.Body(b2_dynamicBody, {Real(i) - 1.5f, 12.0f}), circle);
-    }
-    game.Step(120);
-    run.Expect(bmr::IsInstalled() && !bmr::Install(), "a second Install changes nothing and says so");
-    const bmr::Counted s = bmr::internal::ReadCounts();
-    run.ExpectCounted(s.evaluations > 0 && s.provedApart + s.handedOver == s.evaluations && s.provedApart > 0,
-                      "contacts of the first world are ours");
-    if (run.IsUncounted())
-        run.Expect(s.evaluations == 0 && s.hulls == 0 && s.hullChecks == 0, "nothing is counted unasked");
-}
-
 AS_STOCK_HOW(kInstalls, "contacts born before Install keep working, and are destroyed by who made them") {
     Heard game(run, {0.0f, -10.0f});
     Heap(game, 0.0f);
@@ -271,16 +254,6 @@ AS_STOCK("bodies whose hulls have many vertices") {
     game.Step(60);
     game.Stage(game.Touching() > 0, "a collision");
     game.Step(60);
-}
-
-AS_STOCK("bodies of very many fixtures, whose contacts count in hundreds") {
-    Heard game(run, {0.0f, -10.0f});
-    b2Body *floor = game.Body(b2_staticBody, {0.0f, 0.0f});
-    for (int i = 0; i < 1200; ++i)
-        game.Box(floor, 0.005f, 0.1f, {0.01f * Real(i % 400) - 2.0f, -0.1f * Real(i / 400)});
-    game.Plank(game.Body(b2_dynamicBody, {0.0f, 0.25f}));
-    game.Step(8);
-    game.Stage(game.Touching() > 0, "they touch");
 }
 
 AS_STOCK("beyond the reach all is left to Box2D's own arithmetic") {

@@ -26,7 +26,7 @@ const b2PolygonShape *PolygonOf(const b2Fixture &fixture) {
                                                    : nullptr;
 }
 
-void AddVertices(const b2PolygonShape &polygon, std::vector<bmr_vec2> *points) {
+void AddVertices(const b2PolygonShape &polygon, HullVector<bmr_vec2> *points) {
     if (const bmr_convex32_block *big = BigPolygonOf(polygon)) {
         for (uint32_t i = 0; i < big->polygon.count; ++i)
             points->push_back({static_cast<double>(big->polygon.vertices[i].x),
@@ -63,7 +63,7 @@ bool ComesBefore(const b2Fixture *a, const b2Fixture *b) {
 
 /// Takes in the fixtures that the hull is to hold, and their vertices. False where one of them makes a hull
 /// worthless: Box2D sees more of it than its vertices.
-bool Hull::Gather(std::vector<bmr_vec2> *points) {
+bool Hull::Gather(HullVector<bmr_vec2> *points) {
     for (const b2Fixture *f = m_body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
         const b2PolygonShape *polygon = PolygonOf(*f);
         if (polygon == nullptr || f->IsSensor() || (m_fixture != nullptr && f != m_fixture))
@@ -81,7 +81,7 @@ bool Hull::Gather(std::vector<bmr_vec2> *points) {
 
 void Hull::Build() {
     Forget();
-    std::vector<bmr_vec2> points;
+    HullVector<bmr_vec2> points;
     bmr_polygon *polygon = nullptr;
     if (!Gather(&points) || bmr_polygon_create(points.data(), points.size(), nullptr, &polygon) != BMR_OK)
         return;

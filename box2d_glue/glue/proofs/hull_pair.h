@@ -8,6 +8,7 @@
 
 #include <box2d/b2_math.h>
 
+#include "base/memory.h"
 #include "boomerang/pair.h"
 
 class b2Body;
@@ -15,6 +16,11 @@ class b2Contact;
 class b2Fixture;
 
 namespace bmr {
+
+template <typename T> using HullVector = std::vector<T, GlueAllocator<T>>;
+template <typename Key, typename T>
+using HullMap =
+    std::unordered_map<Key, T, std::hash<Key>, std::equal_to<Key>, GlueAllocator<std::pair<const Key, T>>>;
 
 /// The convex hull of a body's polygon fixtures, or of one fixture of it, in the body's frame, with the
 /// hierarchy that Options::pairsBy walks on. Sensors are left out. Big ConvexShapes are there with their real
@@ -51,7 +57,7 @@ private:
 
     bool Holds(const b2Fixture &fixture) const;
     void Build();
-    bool Gather(std::vector<bmr_vec2> *points);
+    bool Gather(HullVector<bmr_vec2> *points);
     void Forget();
 
     const b2Body *m_body;
@@ -60,7 +66,7 @@ private:
     double m_reach = 0.0;
     float m_radius = 0.0f;
     uint32_t m_version = 0;
-    std::vector<Member> m_members;     ///< by address
+    HullVector<Member> m_members;      ///< by address
     const b2Fixture *m_held = nullptr; ///< seen to be held, at this stamp
     uint64_t m_heldAt = 0;
 };
@@ -121,10 +127,10 @@ private:
     Used *Acquire(const b2Fixture &fixture);
     HullPair *PairOf(const b2Contact &contact);
 
-    std::vector<HullPair *> m_ofContacts;           ///< by number; nullptr: it has not asked
-    std::unordered_map<uint64_t, HullPair> m_pairs; ///< by the numbers of both hulls
-    std::unordered_map<const void *, Used> m_hulls; ///< by body or, of a static one, by fixture
-    uint32_t m_made = 0;                            ///< hulls
+    HullVector<HullPair *> m_ofContacts; ///< by number; nullptr: it has not asked
+    HullMap<uint64_t, HullPair> m_pairs; ///< by the numbers of both hulls
+    HullMap<const void *, Used> m_hulls; ///< by body or, of a static one, by fixture
+    uint32_t m_made = 0;                 ///< hulls
 };
 
 /// The direction of the line that keeps the two hulls apart, in the world, from fixture A of the contact to
