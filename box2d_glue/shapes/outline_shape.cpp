@@ -92,7 +92,7 @@ bool IsLostInFloats(const bmr_rings &rings, double area) {
 }
 
 /// The point is named in `*fault`, which may be nullptr.
-void TellOfPoint(const bmr_rings &rings, uint64_t point, OutlineFault *fault) {
+void WriteFaultAt(const bmr_rings &rings, uint64_t point, OutlineFault *fault) {
     if (fault == nullptr)
         return;
     int32 ring = 0;
@@ -117,21 +117,21 @@ bmr_error CheckRange(const bmr_rings &rings, OutlineFault *fault) {
         const bool isFinite = std::isfinite(p.x) && std::isfinite(p.y);
         if (isFinite && std::fabs(p.x) <= BMR_MAX_COORDINATE && std::fabs(p.y) <= BMR_MAX_COORDINATE)
             continue;
-        TellOfPoint(rings, i, fault);
+        WriteFaultAt(rings, i, fault);
         return isFinite ? BMR_ERROR_OUT_OF_RANGE : BMR_ERROR_NOT_FINITE;
     }
     return BMR_OK;
 }
 
-void Tell(const bmr_outline_fault &fault, OutlineFault *told) {
+void WriteFault(const bmr_outline_fault &fault, OutlineFault *written) {
     const auto number = [](uint32_t n) { return n == BMR_OUTLINE_NONE ? -1 : static_cast<int32>(n); };
-    if (told == nullptr)
+    if (written == nullptr)
         return;
     for (int i = 0; i < 2; ++i) {
-        told->edge[i] = number(fault.edge[i]);
-        told->ring[i] = number(fault.ring[i]);
+        written->edge[i] = number(fault.edge[i]);
+        written->ring[i] = number(fault.ring[i]);
     }
-    told->where.Set(static_cast<float>(fault.where.x), static_cast<float>(fault.where.y));
+    written->where.Set(static_cast<float>(fault.where.x), static_cast<float>(fault.where.y));
 }
 
 bmr_error MakeRecord(const bmr_rings *rings, float tolerance, const bmr_allocator *allocator,
@@ -195,7 +195,7 @@ bmr_error OutlineShape::Set(const bmr_rings &rings, float tolerance, OutlineFaul
     OutlineRecord *made = nullptr;
     error = MakeRecord(&rings, tolerance, registry::GetAllocator(), &found, &made);
     if (found.error != BMR_OK)
-        Tell(found, fault);
+        WriteFault(found, fault);
     if (error != BMR_OK)
         return error;
     if (m_record != nullptr)

@@ -39,8 +39,8 @@ bool ClaimAnnouncement();
 bool IsAnnounced();
 
 /// Holds the lock of all data that belong to the process, not to a world: what is installed, which Box2D this
-/// is and its register of contacts, big polygons, worlds' ledgers, recorders. A thread may take it again
-/// while it holds it. Initialised at compile time, never destroyed.
+/// is and its register of contacts, big polygons, worlds' tables of pairs, recorders. A thread may take it
+/// again while it holds it. Initialised at compile time, never destroyed.
 class HoldsProcessLock {
 public:
     HoldsProcessLock();

@@ -132,7 +132,7 @@ std::string_view ReadEnvironment(const char *name);
 /// The word of Options::mode.
 const char *NameOf(Mode mode);
 
-/// Is it said that a value is not understood? Not by code that only looks.
+/// Is it said that a value is not understood? It is not by code that only reads the environment early.
 enum class Complaints : uint8_t { Said, Held };
 
 /// BOOMERANG, if it is there and understood.

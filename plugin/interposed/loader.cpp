@@ -89,7 +89,7 @@ constexpr char kOwnMemory[] =
 constexpr char kInside[] = "the program has a Box2D of its own inside (boomerang_accelerate is for that)";
 
 const void *OurFile() {
-    static const void *const file = FileOf(reinterpret_cast<const void *>(&StepsComeByHere));
+    static const void *const file = FileOf(reinterpret_cast<const void *>(&StepsAreSeen));
     return file;
 }
 
@@ -115,7 +115,7 @@ const char *PathOf(const void *address) {
 }
 
 const char *OurPath() {
-    return PathOf(reinterpret_cast<const void *>(&StepsComeByHere));
+    return PathOf(reinterpret_cast<const void *>(&StepsAreSeen));
 }
 
 /// The sentence about this process, with two paths at most. A second question is the same, or the last one.
@@ -155,7 +155,7 @@ bool IsPreloaded() {
     return false;
 }
 
-bool StepsComeByHere() {
+bool StepsAreSeen() {
     return FileOf(boundStep) == OurFile();
 }
 
@@ -167,17 +167,17 @@ bool ProgramStepsFirst() {
     return IsInProgram(boundStep);
 }
 
-const char *WhyNoStepComesBy() {
+const char *WhyNoStepIsSeen() {
     const char *first = PathOf(boundStep);
-    if (!StepsComeByHere() && ProgramStepsFirst())
+    if (!StepsAreSeen() && ProgramStepsFirst())
         std::snprintf(words, sizeof words,
                       "%s has a b2World::Step of its own. If Box2D is compiled into it, use "
                       "boomerang_accelerate()",
                       first);
-    else if (!StepsComeByHere() && IsPreloaded())
+    else if (!StepsAreSeen() && IsPreloaded())
         std::snprintf(words, sizeof words, "%s is ahead of it. Name it first: LD_PRELOAD=\"%s %s\"", first,
                       OurPath(), first);
-    else if (!StepsComeByHere())
+    else if (!StepsAreSeen())
         std::snprintf(words, sizeof words, "%s is ahead of it. Link boomerang::box2d ahead of Box2D", first);
     else if (AnyBox2DBehind())
         std::snprintf(words, sizeof words, "this program never called b2World::Step");

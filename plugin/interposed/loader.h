@@ -5,7 +5,7 @@
 namespace bmr {
 
 /// Whether a b2World::Step of this process is this library's, as far as dynamic linking goes.
-bool StepsComeByHere();
+bool StepsAreSeen();
 
 /// Whether there is a Box2D behind this library in search order. There is none if a module opened its own
 /// (dlopen with RTLD_LOCAL). Its calls reach this library all the same.
@@ -15,12 +15,12 @@ bool AnyBox2DBehind();
 /// names can be seen: a program shows what a library that it is linked with has, too.
 bool AnotherIsCompiledIn();
 
-/// Where StepsComeByHere() is false: is the b2World::Step that is called in the program itself?
+/// Where StepsAreSeen() is false: is the b2World::Step that is called in the program itself?
 bool ProgramStepsFirst();
 
 /// If no step is seen: the reason, and the line to write, in a few words. The answer lives until the next
 /// call.
-const char *WhyNoStepComesBy();
+const char *WhyNoStepIsSeen();
 
 /// The same for a module's own Box2D, if AnyBox2DBehind() is false and a step is seen all the same.
 const char *WhyModuleIsLeftAlone();

@@ -25,12 +25,12 @@ bool startsAtFirstStep = false;
 
 /// At the end of the process that loaded the library, where nothing else was said.
 void SayWhyNotUsed() {
-    const bool came = StepsComeByHere() && !internal::startsByItself;
+    const bool came = StepsAreSeen() && !internal::startsByItself;
     if (ThisProcess() != loadedIn || IsAnnounced())
         return;
     const char *why = nullptr;
     if (startsAtFirstStep)
-        why = came ? nullptr : WhyNoStepComesBy();
+        why = came ? nullptr : WhyNoStepIsSeen();
     else if (!InstallWasCalled())
         why = "nothing called bmr::Install(). Call it before the first step, or set BOOMERANG=on";
     if (why != nullptr)
@@ -55,10 +55,10 @@ __attribute__((constructor)) void Loaded() {
         return;
     }
     ReadVerbosity();
-    if (StepsComeByHere())
+    if (StepsAreSeen())
         SetWay("ahead of Box2D", nullptr);
     else
-        SetWay("not ahead of Box2D", WhyNoStepComesBy());
+        SetWay("not ahead of Box2D", WhyNoStepIsSeen());
     const std::optional<Mode> asked = ModeOfEnvironment(Complaints::Held);
     if (asked == Mode::Off)
         return;
@@ -69,10 +69,10 @@ __attribute__((constructor)) void Loaded() {
     }
     startsAtFirstStep = true;
     SayAtExitIfNotUsed();
-    if (StepsComeByHere())
+    if (StepsAreSeen())
         internal::startsByItself = true;
     else if (asked && !ProgramStepsFirst())
-        Refuse(WhyNoStepComesBy());
+        Refuse(WhyNoStepIsSeen());
 }
 
 } // namespace

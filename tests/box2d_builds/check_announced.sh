@@ -20,7 +20,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/processor.sh"
 
 all='on; ahead of Box2D 2\.4\.1$'
 inside='not at work, .*: .*\(has a Box2D of its own inside (boomerang_accelerate\|If Box2D is compiled into it, use boomerang_accelerate()\)'
-nobody='not used: this program never called b2World::Step through this library\. If Box2D is compiled into it, use boomerang_accelerate()$'
+unused='not used: this program never called b2World::Step through this library\. If Box2D is compiled into it, use boomerang_accelerate()$'
 units='not at work, .*: b2_lengthUnitsPerMeter is 10 here, 1 in the Box2D this was built for$'
 fused='not at work, .*: this Box2D fuses products .*$'
 
@@ -76,7 +76,7 @@ for way in preloaded ahead; do
     for variant in $(there fma); do says "$variant" "$way" "$fused"; done
 done
 for variant in $(there static hidden regrouped); do
-    says "$variant" preloaded "$nobody"
+    says "$variant" preloaded "$unused"
     says "$variant" ahead "$inside"
 done
 for variant in "${accelerated[@]}"; do

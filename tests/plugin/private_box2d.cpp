@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A module with a Box2D of its own inside, as engines bring it: the mangled names are Box2D's, the classes
-// are not. What is called is seen from outside, so that whoever was preloaded stands in front of it.
+// are not. What is called is seen from outside, so that a preloaded library stands in front of it.
 #include <cstdio>
 
 #if !defined(VERSION)

@@ -18,7 +18,7 @@ struct b2TOIOutput {
 };
 void b2TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input);
 
-/// As a polygon of Box2D's looks to whoever knows 2.4.1 alone: the second word is a type.
+/// Laid out as a polygon of 2.4.1: the second word is a type.
 class b2Shape {
 public:
     void *first = nullptr;

@@ -56,7 +56,7 @@ same_output() { cmp -s "$room/out" "$room/stock" || fail "$1: other output than 
 quiet() { [ ! -s "$room/err" ] || fail "$1: something on stderr"; }
 # verified WHAT: on stderr is what mode verify says when all is well, once for each process that verified, and no more.
 verified() {
-    grep -q '^boomerang: verified [1-9][0-9,]* answers, 0 differ$' "$room/err" || fail "$1: nobody says what was verified"
+    grep -q '^boomerang: verified [1-9][0-9,]* answers, 0 differ$' "$room/err" || fail "$1: it does not say what was verified"
     grep -v '^boomerang: verified [0-9,]* answers, 0 differ$' "$room/err" && fail "$1: something else on stderr"
 }
 at_work() { [ "$(number evaluations)" -gt 0 ] || fail "$1: the plugin is not at work"; }

@@ -63,9 +63,9 @@ struct Options {
     ///   CONTACT  no proof separates them: their contact points are computed
     ///   LEAVE    after a CONTACT a proof separates them again
     ///
-    /// (A look tries all vertices of the other polygon. There is no window to leave, so there is no ROLL.) A
-    /// look at which the certificate holds, and a budget of motion that is renewed, are no events. Neither is
-    /// the end of a contact. If its two fixtures meet again, that begins with START.
+    /// (An update tries all vertices of the other polygon. There is no window to leave, so there is no ROLL.)
+    /// An update at which the certificate holds, and a budget of motion that is renewed, are no events.
+    /// Neither is the end of a contact. If its two fixtures meet again, that begins with START.
     ///
     /// A contact's event has no pair, no pose and no gap: `event.pair` and `event.pose` are NULL.
     void (*onEvent)(void *context, const b2Body *bodyA, const b2Body *bodyB,
@@ -110,7 +110,7 @@ struct Statistics {
     uint64_t steps = 0;    ///< calls of b2World::Step (seen by the shared library alone)
     uint64_t pairs = 0;    ///< contacts of awake bodies, summed over the steps of worlds that are ours
     uint64_t looks = 0;    ///< of `pairs`, those whose contact or geometry was read
-    uint64_t renewals = 0; ///< of `pairs`, those that their line gave a new deadline, without a look
+    uint64_t renewals = 0; ///< of `pairs`, those that their line gave a new deadline, without reading them
     uint64_t events[BMR_EVENT_KIND_COUNT] = {}; ///< of all pairs, by kind (Options::onEvent)
     uint64_t verified = 0;                      ///< answers compared with Box2D's (Mode::Verify)
     uint64_t differences = 0;                   ///< of those, the ones that differed

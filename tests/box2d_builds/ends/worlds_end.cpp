@@ -3,7 +3,7 @@
 //   worlds_end          exit status 0 where worlds that have ended left no memory behind, 1 where they did
 //   worlds_end keeps    the control: the worlds do not end, and 1 is right
 //
-// A world with a ledger, that is. (Its memory would still be reachable: a leak checker says nothing.)
+// Each world has a table of pairs. (Its memory would still be reachable: a leak checker says nothing.)
 #include <cstdio>
 #include <new>
 
@@ -36,7 +36,7 @@ size_t Play(int round, bool keeps) {
         for (int step = 0; step < kSteps; ++step)
             world->Step(1.0f / 60.0f, 8, 3);
         if (world->GetContactCount() < 100)
-            std::puts("too few contacts for a ledger");
+            std::puts("too few contacts for a table");
         if (!keeps)
             world->~b2World();
     }

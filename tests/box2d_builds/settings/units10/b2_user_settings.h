@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A game that measures in decimetres. (Box2D's b2_linearSlop, b2_aabbExtension and the like follow.)
+// A game that measures in decimetres. (Box2D's other lengths, as b2_linearSlop, follow.)
 #ifndef B2_USER_SETTINGS_H
 #define B2_USER_SETTINGS_H
 
