@@ -50,13 +50,3 @@ void play_display_add(play_display *display, play_mark mark, play_ink ink, doubl
     }
     display->count += PLAY_ITEM_HEAD + 2 * count;
 }
-
-const float *play_display_next(const play_display *display, const float *at, size_t *points) {
-    const float *const end = display->numbers + display->count;
-    const float *const next =
-        at ? at + PLAY_ITEM_HEAD + 2 * (size_t)at[PLAY_ITEM_HEAD - 1] : display->numbers;
-    if (!next || next >= end)
-        return NULL;
-    *points = (size_t)next[PLAY_ITEM_HEAD - 1];
-    return next;
-}

@@ -66,8 +66,5 @@ void play_display_free(play_display *display);
 /// `strength` in [0, 1]: how far it is faded in. `label`: see play_label_text (words.h). No points: nothing.
 void play_display_add(play_display *display, play_mark mark, play_ink ink, double strength, int label,
                       const bmr_vec2 *points, size_t count);
-/// The item after `at` (NULL: the first) and how many points it has; NULL at the end. Its points follow the
-/// head.
-const float *play_display_next(const play_display *display, const float *at, size_t *points);
 
 #endif
