@@ -25,12 +25,55 @@
 #include <mutex>
 #include <thread>
 
-#include "program.h"
 #include "worlds.h"
+#if defined(WITH_PLUGIN)
+#    include <boomerang/box2d.h>
+
+#    include "debug/statistics.h"
+#endif
 
 namespace {
 
 using threads::World;
+
+#if defined(WITH_PLUGIN)
+
+/// Did this call put the plugin to work?
+bool Install(bool counting) {
+    bmr::Options options;
+    options.statistics = counting;
+    return bmr::Install(options);
+}
+bool IsInstalled() {
+    return bmr::IsInstalled();
+}
+
+/// Reads the statistics, which never go back. False where one did, or where they do not belong together.
+struct StatisticsReader {
+    bool Read() {
+        const bmr::Counted s = bmr::internal::ReadCounts();
+        const bool forward = s.steps >= steps && s.evaluations >= evaluations && s.differences == 0;
+        steps = s.steps;
+        evaluations = s.evaluations;
+        return forward;
+    }
+    unsigned long long steps = 0, evaluations = 0; ///< as they were read last
+};
+
+#else // stock has nothing to install
+
+bool Install(bool) {
+    return false;
+}
+bool IsInstalled() {
+    return true;
+}
+struct StatisticsReader {
+    static bool Read() { return true; }
+};
+
+#endif
+
 using Worlds = std::deque<World>;
 
 std::atomic<int> failures{0};
@@ -158,10 +201,10 @@ void ShortLived(Worlds *worlds, int count, int steps) {
 }
 
 void Counted(Worlds *worlds, int count, int steps) {
-    installed += threads::Install(true);
+    installed += Install(true);
     std::atomic<bool> done{false};
     std::thread reader([&done] {
-        threads::StatisticsReader statistics;
+        StatisticsReader statistics;
         do // once at least, however late this thread begins
             Expect(statistics.Read(), "statistics go forward and tell of no difference");
         while (!done);
@@ -172,8 +215,8 @@ void Counted(Worlds *worlds, int count, int steps) {
 }
 
 void InstallHere() {
-    installed += threads::Install(false);
-    Expect(threads::IsInstalled(), "when Install is back the plugin is installed, whoever did it");
+    installed += Install(false);
+    Expect(IsInstalled(), "when Install is back the plugin is installed, whoever did it");
 }
 
 /// Box2D is called, but nothing is stepped: before others begin to step, while they do, and after.

@@ -4,8 +4,6 @@
 #include <cinttypes>
 #include <cstdio>
 
-#include "program.h"
-
 namespace threads {
 
 namespace {
@@ -16,6 +14,14 @@ constexpr Chosen kScenes[] = {
     {"pyramid", 6, 0}, {"bullets", 15, 0}, {"sensors", 20, 0}, {"chain-rocks", 30, 0}, {"coins-gas", 14, 0},
     {"gears", 1, 0},   {"terrain", 15, 0}, {"planks", 30, 0},  {"car", 2, 0},          {"compound", 1, 0}};
 constexpr int kCountScenes = static_cast<int>(sizeof kScenes / sizeof *kScenes);
+/// Polygons of any size, which stock has not.
+const std::vector<Chosen> kScenesOfThePlugin = {
+#if defined(WITH_PLUGIN)
+    {"any-gas", 12, 64},           {"any-gas", 12, 64},          {"any-bag", 20, 24},  {"any-bag", 20, 24},
+    {"any-bullets", 8, 20},        {"any-bullets", 8, 20},       {"any-wheels", 4, 9}, {"any-wheels", 4, 9},
+    {"asteroids-outline", 12, 24}, {"asteroids-outline", 12, 24}
+#endif
+};
 /// Worlds of the actor that stock Box2D survives.
 constexpr int kSeeds[] = {1, 2, 3, 4, 7, 8, 11, 16};
 constexpr int kRandomWorlds = static_cast<int>(sizeof kSeeds / sizeof *kSeeds);
@@ -25,13 +31,13 @@ const Chosen *SceneOf(int number) {
     if (number < kCountScenes)
         return &kScenes[number];
     const int after = number - kCountScenes - kRandomWorlds;
-    return after < 0 ? nullptr : &ScenesOfThePlugin()[static_cast<size_t>(after)];
+    return after < 0 ? nullptr : &kScenesOfThePlugin[static_cast<size_t>(after)];
 }
 
 } // namespace
 
 int World::Count() {
-    return kCountScenes + kRandomWorlds + static_cast<int>(ScenesOfThePlugin().size());
+    return kCountScenes + kRandomWorlds + static_cast<int>(kScenesOfThePlugin.size());
 }
 
 void World::Build() {
