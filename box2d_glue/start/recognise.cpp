@@ -63,8 +63,16 @@ constexpr float kTrialMetre = [] {
     return metre;
 }();
 
-/// The block that Box2D's allocator hands out next for an object of class T, each of its bytes known. Blocks
-/// of up to 256 bytes are multiples of 32 bytes.
+/// The sizes that Box2D's block allocator rounds up to. (A game's own user data may be large.)
+constexpr size_t BlockSize(size_t size) {
+    for (const size_t block :
+         {16u, 32u, 64u, 96u, 128u, 160u, 192u, 224u, 256u, 320u, 384u, 448u, 512u, 640u})
+        if (size <= block)
+            return block;
+    return size;
+}
+
+/// The block that Box2D's allocator hands out next for an object of class T, each of its bytes known.
 template <typename T> class NextBlock {
 public:
     explicit NextBlock(b2BlockAllocator *allocator) {
@@ -87,8 +95,7 @@ public:
     }
 
 private:
-    static constexpr int32 kBytes = (sizeof(T) + 31) / 32 * 32;
-    static_assert(kBytes <= 256);
+    static constexpr int32 kBytes = BlockSize(sizeof(T));
     void *m_block;
 };
 
@@ -110,13 +117,13 @@ const char *WhyRecordsAreOthers(b2World *world, const b2PolygonShape &box) {
     if (!blockOfBody.HoldsNoMoreThan(body) || body->GetUserData().pointer != 0)
         return "b2Body or its user data have not the size that they have in 2.4.1";
     const NextBlock<b2Fixture> blockOfFixture(allocator);
-    const NextBlock<b2PolygonShape> blockOfShape(allocator);
     ZeroDef<b2FixtureDef> def;
     def.Get()->shape = &box;
     b2Fixture *fixture = body->CreateFixture(def.Get());
     if (!blockOfFixture.HoldsNoMoreThan(fixture) || fixture->GetUserData().pointer != 0)
         return "b2Fixture or its user data have not the size that they have in 2.4.1";
-    const auto *shape = static_cast<const b2PolygonShape *>(fixture->GetShape());
+    const NextBlock<b2PolygonShape> blockOfShape(allocator);
+    const auto *shape = static_cast<const b2PolygonShape *>(box.Clone(allocator)); // it ends with the world
     if (!blockOfShape.HoldsNoMoreThan(shape) || shape->m_count != box.m_count)
         return "b2PolygonShape has not the size that it has in 2.4.1";
     world->DestroyBody(body);
