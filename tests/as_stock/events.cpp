@@ -37,8 +37,6 @@ public:
     void CheckCounts();
 
     uint64_t Count(bmr_event_kind kind) const { return m_counts[kind]; }
-    uint64_t OfSensors() const { return m_ofSensors; }
-    uint64_t OfHulls() const { return m_ofHulls; }
 
 private:
     using Key = std::pair<const b2Fixture *, const b2Fixture *>;
@@ -59,7 +57,7 @@ private:
     std::vector<bmr_event> m_pending;                          ///< of a contact whose answer is still to come
     const b2Body *m_pendingA = nullptr, *m_pendingB = nullptr; ///< the bodies of the first of them
     Key m_answered = Key(); ///< the contact that was answered for last, in this step
-    uint64_t m_counts[BMR_EVENT_KIND_COUNT] = {}, m_answers[5] = {}, m_ofSensors = 0, m_ofHulls = 0;
+    uint64_t m_counts[BMR_EVENT_KIND_COUNT] = {}, m_answers[5] = {};
     const b2World *m_world = nullptr;
 };
 
@@ -107,13 +105,10 @@ void Witness::OnEvent(const b2Body *a, const b2Body *b, const bmr_event &event) 
     if (m_prints)
         m_run.Print("event %s %s %d %d", hulls ? "hulls" : "contact", bmr_event_name(event.kind),
                     event.level_before, event.level_after);
-    if (hulls) {
-        ++m_ofHulls;
+    if (hulls)
         return;
-    }
     // Nobody answers for a sensor; its body has no other fixture here, nor has the one that it meets.
     if (OnlySensor(a) != nullptr || OnlySensor(b) != nullptr) {
-        ++m_ofSensors;
         Turn(&m_states[KeyOf(a->GetFixtureList(), b->GetFixtureList())], event);
         return;
     }

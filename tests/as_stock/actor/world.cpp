@@ -3,11 +3,11 @@
 
 #include <cfenv>
 #include <cstring>
+#include <initializer_list>
 #include <typeinfo>
 
 #include <box2d/b2_distance.h>
 
-#include "drawn.h"
 #include "state/visit.h"
 
 namespace actor {
@@ -16,6 +16,41 @@ using testbed::EventObserver;
 using testbed::NumberOf;
 
 namespace {
+
+/// Hashes what b2World::DebugDraw draws, in order.
+class Drawn final : public b2Draw {
+public:
+    explicit Drawn(testbed::HashSink *hash) : m_hash(hash) {
+        SetFlags(e_shapeBit | e_aabbBit | e_pairBit | e_jointBit);
+    }
+    void DrawPolygon(const b2Vec2 *vertices, int32 count, const b2Color &color) override {
+        for (int32 i = 0; i < count; ++i)
+            Add({vertices[i].x, vertices[i].y, color.r, color.g, color.b, color.a});
+    }
+    void DrawSolidPolygon(const b2Vec2 *vertices, int32 count, const b2Color &color) override {
+        DrawPolygon(vertices, count, color);
+    }
+    void DrawCircle(const b2Vec2 &p, float radius, const b2Color &color) override {
+        Add({p.x, p.y, radius, color.r});
+    }
+    void DrawSolidCircle(const b2Vec2 &p, float radius, const b2Vec2 &axis, const b2Color &color) override {
+        Add({p.x, p.y, radius, axis.x, axis.y, color.r});
+    }
+    void DrawSegment(const b2Vec2 &p, const b2Vec2 &q, const b2Color &color) override {
+        Add({p.x, p.y, q.x, q.y, color.r});
+    }
+    void DrawTransform(const b2Transform &xf) override { Add({xf.p.x, xf.p.y, xf.q.s, xf.q.c}); }
+    void DrawPoint(const b2Vec2 &p, float size, const b2Color &color) override {
+        Add({p.x, p.y, size, color.r});
+    }
+
+private:
+    void Add(std::initializer_list<float> numbers) {
+        for (const float number : numbers)
+            m_hash->Field("drawn", number);
+    }
+    testbed::HashSink *m_hash;
+};
 
 uint32_t Mix(uint32_t from, uint32_t to, uint32_t step, uint32_t occasion) {
     return (((from * 31u + to) * 31u + step) * 5u + occasion) * 2654435761u >> 8;
