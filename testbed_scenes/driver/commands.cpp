@@ -37,17 +37,6 @@ void FailUnknown(const std::string &what, const std::string &name, const std::ve
                      " (" + where + ")");
 }
 
-std::vector<SceneInfo> SelectScenes(const std::vector<SceneInfo> &all,
-                                    const std::vector<std::string> &names) {
-    if (names.empty())
-        return all;
-    std::vector<SceneInfo> selected;
-    selected.reserve(names.size());
-    for (const std::string &name : names)
-        selected.push_back(FindScene(all, name));
-    return selected;
-}
-
 const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::string &name) {
     std::vector<std::string> names;
     for (const SceneInfo &scene : scenes) {
@@ -115,7 +104,10 @@ void CheckPerturb(const std::vector<SceneInfo> &scenes, const CompareOptions &op
 } // namespace
 
 int Execute(const CompareCommand &command, const Workers &workers) {
-    const std::vector<SceneInfo> scenes = SelectScenes(workers.List(), command.scenes);
+    const std::vector<SceneInfo> all = workers.List();
+    std::vector<SceneInfo> scenes = command.scenes.empty() ? all : std::vector<SceneInfo>();
+    for (const std::string &name : command.scenes)
+        scenes.push_back(FindScene(all, name));
     CheckPerturb(scenes, command.options);
     const bool colour = WantsColour(STDOUT_FILENO);
     const int runsPerScene = RunsPerScene(workers, command.options);

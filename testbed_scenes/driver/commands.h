@@ -64,8 +64,6 @@ int Execute(const FiguresCommand &command);
 
 /// The scene of that name; if there is none, a UsageError that names the nearest.
 const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::string &name);
-/// The scenes of these names, in this order; all where there are none.
-std::vector<SceneInfo> SelectScenes(const std::vector<SceneInfo> &all, const std::vector<std::string> &names);
 
 struct RenderCommand {
     std::string scene;

@@ -222,7 +222,7 @@ SceneTable EventTable() {
             {"answers", "hand-over", PerStep(kPluginCount, "plugin/handed_over"), 1},
         },
         {
-            "edge: one remembered edge asked again; search: all edges, when it failed; hulls: of --structure",
+            "edge: one remembered edge asked again; hulls: certificates of --structure",
             "start, stab, push, roll, coarsen: the life of a certificate; contact: its end, the exact test "
             "is asked; leave: a new one",
             "apart: proved, without Box2D; reused: of those, at the same poses (--structure); hand-over: the "

@@ -106,6 +106,21 @@ test_compare_ignores_the_callers_plugin_settings() {
     err_empty
 }
 
+# A listener is called as often, and reads the same, whether the plugin is there or not; the three kinds differ, so the option is heard.
+test_listeners_are_called_alike() {
+    local kind program
+    for kind in counts reads acts; do
+        for program in boomerang-scene boomerang-scene-plugin; do
+            claim="$program mixed-pile --listener $kind"
+            "$bin/$program" mixed-pile --mode count --steps 60 --listener $kind 2>"$scratch/err" | grep -o '"listener":{[^}]*}' >"$scratch/$program.$kind" ||
+                fail "no listener in the summary"
+        done
+        cmp -s "$scratch/boomerang-scene.$kind" "$scratch/boomerang-scene-plugin.$kind" || fail "other calls than stock's"
+    done
+    [ "$(sort -u "$scratch"/boomerang-scene.* | wc -l)" -eq 3 ] || fail "the kinds do the same"
+    grep -Eq '"begins":[1-9][0-9]*,"ends":[1-9][0-9]*,"post_solves":[1-9][0-9]*,"pre_solves":[1-9]' "$scratch/boomerang-scene.reads" || fail "a kind of call never came"
+}
+
 test_compare_without_time_and_quietly() {
     says "^$classic .*identical\$" 0 compare "$classic" --steps "$steps" --no-time
     expect 0 compare "$classic" --steps "$steps" --no-time --details
