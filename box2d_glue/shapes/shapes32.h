@@ -6,8 +6,10 @@
 
 #include <box2d/b2_collision.h>
 #include <box2d/b2_edge_shape.h>
+#include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
 
+#include "boomerang/pose.h"
 #include "exact32/exact32.h"
 
 namespace bmr {
@@ -33,6 +35,19 @@ static_assert(b2_maxPolygonVertices <= 8, "for polygons of more vertices there i
 
 inline const bmr_vec32 *Vectors32(const b2Vec2 *vectors) {
     return reinterpret_cast<const bmr_vec32 *>(vectors);
+}
+
+/// nullptr of a fixture of another shape.
+inline const b2PolygonShape *PolygonOf(const b2Fixture &fixture) {
+    return fixture.GetType() == b2Shape::e_polygon ? static_cast<const b2PolygonShape *>(fixture.GetShape())
+                                                   : nullptr;
+}
+
+/// In double, as core's structures have it.
+inline bmr_pose PoseOf(const b2Transform &xf) {
+    return {{static_cast<double>(xf.p.x), static_cast<double>(xf.p.y)},
+            static_cast<double>(xf.q.c),
+            static_cast<double>(xf.q.s)};
 }
 
 inline bmr_polygon32 Polygon32(const b2PolygonShape &shape) {

@@ -91,7 +91,7 @@ struct PositionPoint {
 };
 
 /// The velocities of a contact's two bodies while it is solved.
-struct Pair {
+struct TwoBodies {
     b2Vec2 vA, vB;
     float wA, wB;
 
@@ -107,7 +107,7 @@ struct Pair {
     }
 };
 
-void SolveFriction(VelocityConstraint *constraint, Pair *pair) {
+void SolveFriction(VelocityConstraint *constraint, TwoBodies *pair) {
     const b2Vec2 tangent = b2Cross(constraint->normal, 1.0f);
     for (int32 i = 0; i < constraint->pointCount; ++i) {
         VelocityPoint &at = constraint->points[i];
@@ -121,7 +121,7 @@ void SolveFriction(VelocityConstraint *constraint, Pair *pair) {
     }
 }
 
-void SolveEachPoint(VelocityConstraint *constraint, Pair *pair) {
+void SolveEachPoint(VelocityConstraint *constraint, TwoBodies *pair) {
     for (int32 i = 0; i < constraint->pointCount; ++i) {
         VelocityPoint &at = constraint->points[i];
         const float speed = b2Dot(pair->Relative(at), constraint->normal);
@@ -156,7 +156,7 @@ bool SolveBlock(const VelocityConstraint &constraint, const b2Vec2 &b, b2Vec2 *i
     return b.x >= 0.0f && b.y >= 0.0f;
 }
 
-void SolveTwoPoints(VelocityConstraint *constraint, Pair *pair) {
+void SolveTwoPoints(VelocityConstraint *constraint, TwoBodies *pair) {
     VelocityPoint &first = constraint->points[0], &second = constraint->points[1];
     const b2Vec2 &normal = constraint->normal;
     const b2Vec2 before(first.normalImpulse, second.normalImpulse);
@@ -186,7 +186,7 @@ float InverseOf(float stiffness) {
     return stiffness > 0.0f ? 1.0f / stiffness : 0.0f;
 }
 
-void InitializePoint(const VelocityConstraint &constraint, const Pair &pair, VelocityPoint *at) {
+void InitializePoint(const VelocityConstraint &constraint, const TwoBodies &pair, VelocityPoint *at) {
     const b2Vec2 &normal = constraint.normal, tangent = b2Cross(normal, 1.0f);
     const float rnA = b2Cross(at->rA, normal), rnB = b2Cross(at->rB, normal);
     at->normalMass = InverseOf(Stiffness(constraint.bodies, rnA, rnA, rnB, rnB));
@@ -277,7 +277,7 @@ void ContactSolver::InitializeVelocities(const Island &island) {
                          &b = m_positions[constraint.bodies.indexB];
         const b2Velocity &va = m_velocities[constraint.bodies.indexA],
                          &vb = m_velocities[constraint.bodies.indexB];
-        const Pair pair = {va.v, vb.v, va.w, vb.w};
+        const TwoBodies pair = {va.v, vb.v, va.w, vb.w};
         const ContactBodies &bodies = constraint.bodies;
         const WorldPoints world(position, PoseOf(bodies.indexA, a, position.localCenterA),
                                 PoseOf(bodies.indexB, b, position.localCenterB));
@@ -300,7 +300,7 @@ void ContactSolver::WarmStart(const Island &island) {
     for (uint32_t i = island.firstContact; i < island.endContact; ++i) {
         const VelocityConstraint &constraint = m_velocityConstraints[i];
         b2Velocity &a = m_velocities[constraint.bodies.indexA], &b = m_velocities[constraint.bodies.indexB];
-        Pair pair = {a.v, b.v, a.w, b.w};
+        TwoBodies pair = {a.v, b.v, a.w, b.w};
         const b2Vec2 tangent = b2Cross(constraint.normal, 1.0f);
         for (int32 j = 0; j < constraint.pointCount; ++j) {
             const VelocityPoint &at = constraint.points[j];
@@ -314,7 +314,7 @@ void ContactSolver::WarmStart(const Island &island) {
 
 void ContactSolver::Solve(VelocityConstraint *constraint) const {
     b2Velocity &a = m_velocities[constraint->bodies.indexA], &b = m_velocities[constraint->bodies.indexB];
-    Pair pair = {a.v, b.v, a.w, b.w};
+    TwoBodies pair = {a.v, b.v, a.w, b.w};
     SolveFriction(constraint, &pair);
     if (constraint->pointCount == 1 || !m_solvesBlocks)
         SolveEachPoint(constraint, &pair);

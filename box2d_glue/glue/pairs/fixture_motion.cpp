@@ -9,19 +9,13 @@
 
 #include "base/private_members.h"
 #include "shapes/convex_geometry.h"
+#include "shapes/shapes32.h"
 #include "shapes/small_polygon.h"
 #include "start/settings.h"
 
 namespace bmr {
 
 namespace {
-
-bmr_pose PoseOf(const b2Body &body) {
-    const b2Transform &xf = body.GetTransform();
-    return {{static_cast<double>(xf.p.x), static_cast<double>(xf.p.y)},
-            static_cast<double>(xf.q.c),
-            static_cast<double>(xf.q.s)};
-}
 
 bmr_vec2 Double(const b2Vec2 &v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y)};
@@ -46,11 +40,6 @@ Sides MeasureSides(const b2PolygonShape &polygon, bmr_vec2 pivot) {
         sides.shortest = std::min(sides.shortest, (w - v).Length());
     }
     return sides;
-}
-
-const b2PolygonShape *PolygonOf(const b2Fixture &fixture) {
-    return fixture.GetType() == b2Shape::e_polygon ? static_cast<const b2PolygonShape *>(fixture.GetShape())
-                                                   : nullptr;
 }
 
 // Two rows may have gone on by so much, one update and one mark more, and what comes with the next pass,
@@ -232,7 +221,7 @@ bool FixtureMotions::ChangesBand(FixtureMotion *motion, uint8_t *bits) {
 void FixtureMotions::Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t stamp) {
     FixtureMotion &motion = m_rows[row];
     const uint32_t moved = motion.mover.moved, turned = motion.mover.turned;
-    const bmr_pose pose = PoseOf(*motion.body);
+    const bmr_pose pose = PoseOf(motion.body->GetTransform());
     const double reach = motion.mover.reach;
     // The pivot stays, or is another one at the update that follows; with it goes the reach.
     bmr_mover_start(&motion.mover, &pose, motion.mover.pivot, reach, kUnits);
@@ -261,7 +250,7 @@ void FixtureMotions::Update(uint32_t row, const b2BroadPhase &broadPhase, uint64
 
     const b2Transform &xf = body.GetTransform();
     const bool stays = SamePlace(xf, motion.place);
-    const bmr_pose pose = PoseOf(body);
+    const bmr_pose pose = PoseOf(xf);
     if (!stays) {
         bmr_mover_look(&motion.mover, &pose, kUnits);
         motion.place = xf;

@@ -31,12 +31,8 @@ struct Placed {
     explicit Placed(const FixtureMotion &motion) : Placed(*motion.fixture, motion.mover.reach) {}
     Placed(const b2Fixture &fixture, double reachOfVertices)
         : shape(static_cast<const b2PolygonShape *>(fixture.GetShape())),
-          big(AnyBigPolygon() ? BigPolygonOf(*shape) : nullptr), reach(reachOfVertices) {
-        const b2Transform &xf = fixture.GetBody()->GetTransform();
-        pose = {{static_cast<double>(xf.p.x), static_cast<double>(xf.p.y)},
-                static_cast<double>(xf.q.c),
-                static_cast<double>(xf.q.s)};
-    }
+          big(AnyBigPolygon() ? BigPolygonOf(*shape) : nullptr),
+          pose(PoseOf(fixture.GetBody()->GetTransform())), reach(reachOfVertices) {}
 
     /// The largest <d, v> of a point, in the world, and the point. Of a big polygon the vertex may be the
     /// wrong one of two that are as far along to rounding, which `slack` covers.

@@ -14,17 +14,13 @@
 #include "debug/statistics.h"
 #include "glue/proofs/thresholds.h"
 #include "shapes/convex_geometry.h"
+#include "shapes/shapes32.h"
 #include "shapes/small_polygon.h"
 #include "start/settings.h"
 
 namespace bmr {
 
 namespace {
-
-const b2PolygonShape *PolygonOf(const b2Fixture &fixture) {
-    return fixture.GetType() == b2Shape::e_polygon ? static_cast<const b2PolygonShape *>(fixture.GetShape())
-                                                   : nullptr;
-}
 
 void AddVertices(const b2PolygonShape &polygon, HullVector<bmr_vec2> *points) {
     if (const bmr_convex32_block *big = BigPolygonOf(polygon)) {
@@ -135,12 +131,6 @@ bool Hull::MakeHold(const b2Fixture &fixture, uint64_t stamp) {
 }
 
 namespace {
-
-bmr_pose PoseOf(const b2Transform &xf) {
-    return {{static_cast<double>(xf.p.x), static_cast<double>(xf.p.y)},
-            static_cast<double>(xf.q.c),
-            static_cast<double>(xf.q.s)};
-}
 
 bool SamePose(const b2Transform &a, const b2Transform &b) {
     // The same bits, NaNs too: four floats without padding.
