@@ -76,9 +76,9 @@ constexpr size_t BlockSize(size_t size) {
 template <typename T> class NextBlock {
 public:
     explicit NextBlock(b2BlockAllocator *allocator) {
-        m_block = allocator->Allocate(kBytes);
+        m_block = allocator->Allocate(static_cast<int32>(kBytes));
         std::memset(m_block, kUntouched, kBytes);
-        allocator->Free(m_block, kBytes);
+        allocator->Free(m_block, static_cast<int32>(kBytes));
     }
 
     /// Did `object` get the block, and is the part behind a T unwritten? (Reads to the end of the block; the
@@ -88,14 +88,14 @@ public:
         if (object != m_block)
             return false;
         const auto *bytes = static_cast<const volatile unsigned char *>(m_block);
-        for (size_t i = sizeof(T); i < size_t{kBytes}; ++i)
+        for (size_t i = sizeof(T); i < kBytes; ++i)
             if (bytes[i] != kUntouched && bytes[i] != kFreedForDebugging)
                 return false;
         return true;
     }
 
 private:
-    static constexpr int32 kBytes = BlockSize(sizeof(T));
+    static constexpr size_t kBytes = BlockSize(sizeof(T));
     void *m_block;
 };
 
