@@ -18,36 +18,29 @@ static uint32_t support_of_all(const bmr_convex32 *p, bmr_vec32 d) {
     return best;
 }
 
-/// From `start` to both sides for as long as a larger product may come: along a side the real products rise
-/// to the top and then fall, so once one is surely below the best, it and those behind it may be left.
-/// UINT32_MAX when that has not been seen after `limit` steps to one side.
+/// The real products rise along a side to the top and then fall, so once one is surely below the best, it and
+/// those behind it may be left. False when that has not been seen after `limit` steps from `start`.
+static inline bool climb_one_side(const bmr_convex32 *p, bmr_vec32 d, float noise, uint32_t start,
+                                  uint32_t limit, bool onward, uint32_t *best, float *most) {
+    for (uint32_t i = start; limit > 0; limit--) {
+        i = onward ? convex32_next(p, i) : convex32_previous(p, i);
+        const float dot = convex32_dot(p->vertices[i], d);
+        if (dot > *most) {
+            *most = dot;
+            *best = i;
+        } else if (dot < *most - noise)
+            return true;
+    }
+    return false;
+}
+
+/// From `start` to both sides for as long as a larger product may come; UINT32_MAX where a side has no end.
 static uint32_t climb(const bmr_convex32 *p, bmr_vec32 d, float noise, uint32_t start, uint32_t limit) {
     uint32_t best = start;
     float most = convex32_dot(p->vertices[start], d);
-    uint32_t i = start, left = limit;
-    for (;;) {
-        i = convex32_next(p, i);
-        const float dot = convex32_dot(p->vertices[i], d);
-        if (dot > most) {
-            most = dot;
-            best = i;
-        } else if (dot < most - noise)
-            break;
-        if (--left == 0)
-            return UINT32_MAX;
-    }
-    for (i = start, left = limit;;) {
-        i = convex32_previous(p, i);
-        const float dot = convex32_dot(p->vertices[i], d);
-        if (dot > most) {
-            most = dot;
-            best = i;
-        } else if (dot < most - noise)
-            break;
-        if (--left == 0)
-            return UINT32_MAX;
-    }
-    return best;
+    const bool ends = climb_one_side(p, d, noise, start, limit, true, &best, &most) &&
+                      climb_one_side(p, d, noise, start, limit, false, &best, &most);
+    return ends ? best : UINT32_MAX;
 }
 
 static uint32_t support_by_table(const bmr_convex32 *p, bmr_vec32 d, float size, float noise) {
