@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "polygon_choice.h"
 #include "shapes.h"
 
 /// @file

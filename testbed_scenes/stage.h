@@ -10,9 +10,22 @@
 #include <box2d/box2d.h>
 #include <gsl/gsl_rng.h>
 
-#include "polygon_choice.h"
-
 namespace testbed {
+
+enum class BodyKind {
+    One,   ///< one fixture with all vertices (bmr::ConvexShape above 8): the worker with the plugin alone
+    Many,  ///< stock fixtures of at most 8 vertices each, which share the first vertex
+    Circle ///< what is round becomes a circle, all else as Many
+};
+
+/// What a scene is told that lets its polygons' size be chosen.
+struct PolygonChoice {
+    BodyKind bodies = BodyKind::Many;
+    int vertices = 0; ///< 0: there is nothing to choose
+};
+
+/// "one", "many" or "circle".
+const char *NameOf(BodyKind kind);
 
 /// The scenes' only source of chance: the same seed gives the same scene on every machine (GSL's mt19937).
 class Random {

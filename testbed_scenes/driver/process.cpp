@@ -97,19 +97,12 @@ Process::Process(std::vector<std::string> arguments, const std::vector<std::stri
 
 Process::~Process() {
     if (!m_reaped) {
-        Kill();
+        kill(m_pid, SIGKILL);
         Wait();
     }
     for (int fd : {m_outputFd, m_errorFd})
         if (fd >= 0)
             close(fd);
-}
-
-void Process::Kill() {
-    if (m_reaped || m_killed)
-        return;
-    m_killed = true;
-    kill(m_pid, SIGKILL);
 }
 
 void Process::Wait() {
@@ -123,8 +116,6 @@ bool Process::ReadOutput() {
     if (!more && !m_outputRest.empty())
         m_outputRest += '\n'; // a last line without a newline is a line all the same
     TakeLines(m_outputRest, [this](const std::string &line) {
-        if (m_killed)
-            return;
         try {
             m_onLine(line);
         } catch (const WorkerError &error) {

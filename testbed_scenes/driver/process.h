@@ -34,16 +34,11 @@ public:
     Process(const Process &) = delete;
     Process &operator=(const Process &) = delete;
 
-    /// Ends the process early, when nothing more is wanted of it. Its lines are no longer handed on.
-    void Kill();
-
     /// Only after RunAll: the exit status was 0.
     bool Succeeded() const;
     /// "boomerang-scene needles --mode hash: killed by signal 11 (Segmentation fault)", with the last lines
     /// it wrote to stderr.
     std::string Describe() const;
-    /// The last lines it wrote to stderr.
-    const std::deque<std::string> &Errors() const { return m_errorTail; }
     /// The command line, for messages.
     std::string CommandLine() const;
 
@@ -64,7 +59,6 @@ private:
     std::deque<std::string> m_errorTail;
     int m_status = 0;
     bool m_reaped = false;
-    bool m_killed = false;
 };
 
 /// Reads from all processes at once until each has closed its streams, then waits for them. onTick, if any,

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "polygon_choice.h"
 #include "scene.h"
 #include "worker/frame_maker.h"
 #include "worker/listener.h"
