@@ -34,7 +34,8 @@ allocator = record("allocator", ("allocate", CFUNCTYPE(c_void_p, c_void_p, c_siz
                    ("release", CFUNCTYPE(None, c_void_p, c_void_p, c_size_t)), ("context", c_void_p))
 closest_points = record("closest_points", ("distance", c_double), ("point_a", vec2), ("point_b", vec2), ("normal", vec2))
 overlap = record("overlap", ("depth", c_double), ("normal", vec2), ("point_a", vec2), ("point_b", vec2))
-shape = record("shape", ("polygon", POINTER(polygon)), ("hierarchies", c_void_p * 3), ("chains", c_void_p * 3))
+shape = record("shape", ("polygon", POINTER(polygon)), ("hierarchies", c_void_p * len(HIERARCHY_KINDS)),
+               ("chains", c_void_p * len(HIERARCHY_KINDS)))
 certificate = record("certificate", ("normal", c_float * 2), ("offset", c_float), ("window", c_float * 2 * 2), ("low", c_float * 2),
                      ("high", c_float * 2))
 pair = record("pair", ("certificate", certificate), ("bits", c_uint8), ("owner", c_uint8), ("state", c_uint8), ("level", c_int8),
