@@ -4,7 +4,7 @@
 // Box2D, and with libboomerang_box2d.so preloaded. Nothing of this project is called here, and nothing is
 // timed.
 //
-//     bench_worlds WORLD COUNT STEPS [FIXTURES]
+//     bench_worlds WORLD COUNT STEPS
 //
 // The instructions of the STEPS steps are those of MeasuredStep; the first steps, in which contacts are made,
 // are not among them (except in the worlds new-*, where they are what is measured).
@@ -29,7 +29,6 @@ constexpr float kCreep = 0.02f;
 // apart.
 constexpr float kTouchingGap = 2.0f * b2_polygonRadius - 0.8f * b2_linearSlop;
 constexpr int kWarmUp = 3;
-constexpr int kAsleepBefore = 60; ///< steps in which all slept, ahead of those that are measured
 constexpr float kSlant = 0.25f * b2_pi;
 
 enum class Partner { kDynamic, kStatic };
@@ -112,52 +111,6 @@ void AddChains(b2World &world, int count, const b2Shape &shape, b2Vec2 offset, f
     }
 }
 
-/// Octagons that drift through each other's neighbourhood, as dense at any count.
-void AddGas(b2World &world, int count) {
-    const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(count))));
-    constexpr float kRadius = 1.0f, kSpacing = 2.1f;
-    const b2Vec2 middle(0.0f, 0.5f * kSpacing * static_cast<float>(columns));
-    const b2PolygonShape octagon = Regular(8, kRadius);
-    uint32_t random = 1;
-    const auto uniform = [&random] { // in [-1, 1): any will do, as long as it is the same every time
-        random = random * 1664525u + 1013904223u;
-        return static_cast<float>(random >> 8) * 0x1p-23f - 1.0f;
-    };
-    for (int i = 0; i < count; ++i) {
-        const b2Vec2 place = Place(i, columns, kSpacing) - middle;
-        const float x = uniform(), y = uniform(), spin = uniform();
-        b2Body *body = AddBody(world, b2_dynamicBody, place, b2_pi / 8.0f, {2.0f * x, 2.0f * y});
-        body->SetAngularVelocity(spin);
-        AddFixture(body, octagon);
-    }
-}
-
-/// Boxes in columns of ten on static slabs, floor above floor about the origin (far from it Box2D answers for
-/// itself): nearly all contacts touch.
-void AddColumns(b2World &world, int count) {
-    constexpr int kHigh = 10;
-    constexpr float kAside = 2.5f, kFloor = 13.0f;
-    world.SetGravity({0.0f, -10.0f});
-    const b2PolygonShape box = Box(0.5f, 0.5f), slab = Box(1.0f, 0.5f);
-    const int columns = (count + kHigh - 1) / kHigh;
-    const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(columns) * kFloor / kAside)));
-    const int floors = (columns + across - 1) / across;
-    for (int i = 0; i < count; ++i) {
-        const int column = i / kHigh, row = i % kHigh;
-        const int aside = column % across - across / 2, floor = column / across - floors / 2;
-        const b2Vec2 foot(kAside * static_cast<float>(aside), kFloor * static_cast<float>(floor));
-        if (row == 0)
-            AddFixture(AddBody(world, b2_staticBody, foot + b2Vec2(0.0f, -0.5f), 0.0f, b2Vec2_zero), slab);
-        const float y = 0.5f + kTouchingGap + (1.0f + kTouchingGap) * static_cast<float>(row);
-        AddFixture(AddBody(world, b2_dynamicBody, foot + b2Vec2(0.0f, y), 0.0f, b2Vec2_zero), box);
-    }
-}
-
-void PutToSleep(b2World &world) {
-    for (b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext())
-        body->SetAwake(false);
-}
-
 /// Whether there is a world of this name.
 bool Build(b2World &world, const char *name, int count) {
     const auto is = [name](const char *other) { return std::strcmp(name, other) == 0; };
@@ -191,10 +144,6 @@ bool Build(b2World &world, const char *name, int count) {
         pairs({octagon, fan, {2.3f, 2.3f}, 0.0f, Partner::kDynamic, true});
     else if (is("sensor-overlapping"))
         pairs({octagon, fan, diagonal, 0.0f, Partner::kDynamic, true});
-    else if (is("gas"))
-        AddGas(world, count);
-    else if (is("columns") || is("asleep"))
-        AddColumns(world, count);
     else
         return false;
     return true;
@@ -205,8 +154,7 @@ bool Build(b2World &world, const char *name, int count) {
 int main(int argc, char **argv) {
     const int count = argc > 3 ? std::atoi(argv[2]) : 0, steps = argc > 3 ? std::atoi(argv[3]) : 0;
     b2World world(b2Vec2_zero);
-    const bool asleep = argc > 1 && std::strcmp(argv[1], "asleep") == 0;
-    world.SetAllowSleeping(asleep);
+    world.SetAllowSleeping(false);
     if (count < 1 || steps < 1 || !Build(world, argv[1], count)) {
         std::fprintf(stderr, "usage: bench_worlds WORLD COUNT STEPS; measure_costs.sh knows the worlds\n");
         return 2;
@@ -215,10 +163,6 @@ int main(int argc, char **argv) {
     b2World(b2Vec2_zero).Step(1.0f / 60.0f, 8, 3);
     const bool fresh = std::strncmp(argv[1], "new-", 4) == 0;
     for (int i = 0; !fresh && i < kWarmUp; ++i)
-        world.Step(1.0f / 60.0f, 8, 3);
-    if (asleep)
-        PutToSleep(world);
-    for (int i = 0; asleep && i < kAsleepBefore; ++i)
         world.Step(1.0f / 60.0f, 8, 3);
     for (int i = 0; i < steps; ++i)
         MeasuredStep(world);

@@ -11,8 +11,6 @@ usage: measure_costs.sh [--steps N] BUILD_DIRECTORY TABLE...
 
 Tables, each printed as its page has it (docs/scenes.md):
   calls      instructions of one contact, query, overlap, new pair
-  bodies     instructions of a step against the number of bodies, 1,000 to 50,000
-  asleep     instructions of a step in which all bodies sleep
   listeners  the scenes of games with each contact listener, stock over plugin (SCENES="a b": these alone)
   sizes      docs/any-size-polygons.md: polygons of 8 to 4096 vertices, and circles, with the plugin
   outlines   docs/outlines.md: bodies of outlines beside the same of triangles
@@ -52,10 +50,6 @@ profiled() {
 }
 
 # All instructions that were collected.
-total() {
-    awk '/^(summary|totals):/ { print $2; exit }' "$profile"
-}
-
 # Instructions of the functions whose names begin with $1 and of all that they call, whoever calls them but themselves
 # and the plugin below a step: a hook and the function of Box2D's behind it have one name, and the plugin's own pass has it in bmr. (A hook's has the version
 # BOOMERANG_HOOKS, which keeps valgrind from demangling it.)
@@ -131,41 +125,6 @@ new pair|b2ContactManager::FindNewContacts|new-pairs|new-far
 TEXT
 }
 
-# row NAME STEPS WORLD...: instructions of a whole step.
-row() {
-    local name=$1 runs=$2 stock ours
-    shift 2
-    world stock "$@"
-    stock=$(($(total) / runs))
-    world plugin "$@"
-    ours=$(($(total) / runs))
-    echo "| $name | $stock | $ours | $(ratio "$stock" "$ours") |"
-}
-
-head_of_rows() {
-    echo "| $1 | stock | plugin | stock / plugin |"
-    echo "| --- | --- | --- | --- |"
-}
-
-bodies() {
-    local count
-    head_of_rows "bodies"
-    for count in 1000 50000; do
-        row "gas, $count" 3 gas "$count" 3
-    done
-    for count in 1000 50000; do
-        row "columns, $count" 3 columns "$count" 3
-    done
-}
-
-asleep() {
-    local count
-    head_of_rows "bodies asleep"
-    for count in 5000 20000; do
-        row "$count" 4 asleep "$count" 4
-    done
-}
-
 # stepped PROGRAM SCENE OPTIONS...: instructions of a step, the mean of the first 100 (--steps).
 stepped() {
     profiled "$build/bin/$1" "${@:2}" --mode time --steps "${steps:-100}"
@@ -223,7 +182,7 @@ outlines() {
 
 for table in "${tables[@]}"; do
     case $table in
-    calls | bodies | asleep | listeners | sizes | outlines) "$table" ;;
+    calls | listeners | sizes | outlines) "$table" ;;
     *) usage >&2; exit 2 ;;
     esac
 done
