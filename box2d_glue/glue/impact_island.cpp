@@ -6,8 +6,8 @@
 
 #include "base/private_members.h"
 #include "glue/contact_update.h"
-#include "glue/passes.h"
 #include "glue/impacts.h"
+#include "glue/passes.h"
 #include "solver/island_solver.h"
 
 namespace bmr {

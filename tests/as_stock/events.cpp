@@ -141,7 +141,7 @@ void Witness::Turn(State *state, const bmr_event &event) {
         m_run.Expect(event.level_after == BMR_LEVEL_DISKS, "what is coarser are the disks");
 }
 
-/// The ledger finds lines of its own, where a look found none: such a LEAVE follows the answer.
+/// The table finds lines of its own, where an update found none: such a LEAVE follows the answer.
 void Witness::TakeBelated(const b2Contact *next) {
     if (m_pending.empty() || m_pending.front().kind != BMR_EVENT_LEAVE || m_answered == Key())
         return;
@@ -267,7 +267,8 @@ std::string TextOf(const Life &life) {
     return text;
 }
 
-/// So many boxes that the world has a ledger where there is one: it has none for fewer than 8 contacts.
+/// So many boxes that the world has a table of pairs where there is one: it has none for fewer than 8
+/// contacts.
 struct Crowded : Heard {
     Crowded(Run &run, Witness &witness) : Heard(run) {
         witness.Watch(&world);
@@ -416,7 +417,7 @@ void PlaySensor(Run &run, Witness &witness) {
 }
 
 /// Tip to tip: no side of theirs separates the two, and Box2D finds no points. The line between the tips,
-/// which the ledger finds, does.
+/// which the table finds, does.
 const Life kTips = {
     {{0.15f, 0.0f}, "tip to tip", "contact contact -1 0\ncontact leave 0 0\n", 0},
     {{0.149f, 0.0f}, "a bit nearer"},
@@ -454,6 +455,6 @@ TEST_CASE("a sensor's contact lives as the header says") {
     CHECK(EventsOf(Told(PlaySensor)) == TextOf(kSensor));
 }
 
-TEST_CASE("what only a line of the ledger keeps apart leaves contact by it") {
+TEST_CASE("what only a line of the table keeps apart leaves contact by it") {
     CHECK(EventsOf(Told(PlayTips)) == TextOf(kTips));
 }

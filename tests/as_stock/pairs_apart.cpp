@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a world's ledger remembers of pairs that are apart, seen from outside: looks that are spared, and
+// What a world's table remembers of pairs that are apart, seen from outside: updates that are spared, and
 // taken up again when something changes; memory that is asked for when contacts begin, and given back. With
-// the glue alone there is no ledger: there the same scenes show that nothing depends on it.
+// the glue alone there is no table: there the same scenes show that nothing depends on it.
 #include <new>
 
 #include "yard.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far out a fixture's row is (glue/pairs/fixture_motion.h): its pairs' margins grow with it, a row that comes into
-// another band has its pairs looked at, and one that trembles about a border does not.
+// How far out a fixture's row is (glue/pairs/fixture_motion.h): its pairs' margins grow with it, a row that
+// comes into another band has its pairs looked at, and one that trembles about a border does not.
 #include <box2d/box2d.h>
 
 #include "cases.h"

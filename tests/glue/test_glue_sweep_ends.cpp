@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How far a fixture's row can come in the sweep of its body (glue/pairs/fixture_motion.h): what the budget of a pair is
-// held against, ahead of Box2D's search for impacts. Code of the game may have run since the row was looked
-// at: the body need not turn about what it turned about, nor be of the same shape.
+// How far a fixture's row can come in the sweep of its body (glue/pairs/fixture_motion.h): what the budget of
+// a pair is held against, ahead of Box2D's search for impacts. Code of the game may have run since the row
+// was looked at: the body need not turn about what it turned about, nor be of the same shape.
 #include <box2d/box2d.h>
 
 #include "base/private_members.h"

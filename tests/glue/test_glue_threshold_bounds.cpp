@@ -444,7 +444,7 @@ TEST_CASE("kRoundingMargin holds what clipping is off by, up to kReach") {
 
 TEST_CASE("BandMargin holds what clipping and b2TestOverlap are off by, as far as each band reaches") {
     constexpr double kBand0 = double{bmr::kBandReach}, kFarthest = kBand0 / double{bmr::kBandReachOfExtent};
-    // The ledger goes by the farthest vertex where the hulls go by the largest coordinate.
+    // The table goes by the farthest vertex where the hulls go by the largest coordinate.
     CHECK(double{bmr::kBandReachOfExtent} >= bmr::kReachOfExtent / kFarOfReach);
     for (int band = 0; band < bmr::kBands; ++band) {
         const double reach = std::ldexp(kBand0, band);

@@ -56,7 +56,8 @@ public:
 private:
     // The unit is what Box2D's loop does for a contact of a body that is awake. The rest was fitted to the
     // times of the testbed's scenes, with every step by the table and with every step by the list.
-    static constexpr uint64_t kUpdate = 3; ///< the table brings a contact up to date, and proves it apart anew
+    static constexpr uint64_t kUpdate =
+        3; ///< the table brings a contact up to date, and proves it apart anew
     static constexpr uint64_t kFixture = 1;          ///< the table follows a fixture
     static constexpr uint64_t kSleepersPerUnit = 4;  ///< Box2D's loop passes over contacts
     static constexpr uint64_t kSearchesPerUnit = 16; ///< each impact is a pass over Box2D's list
