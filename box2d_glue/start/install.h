@@ -40,7 +40,8 @@ bool IsAnnounced();
 
 /// Holds the lock of all data that belong to the process, not to a world: what is installed, which Box2D this
 /// is and its register of contacts, big polygons, worlds' tables of pairs, recorders. A thread may take it
-/// again while it holds it. Initialised at compile time, never destroyed.
+/// again while it holds it. Install asks the loader while it holds it: a library that another thread opens at
+/// that moment must not make shapes in its constructors. Initialised at compile time, never destroyed.
 class HoldsProcessLock {
 public:
     HoldsProcessLock();

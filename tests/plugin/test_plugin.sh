@@ -163,8 +163,8 @@ test_verify_compares_and_finds_nothing() {
     game plain_game LD_PRELOAD="$plugin" BOOMERANG=verify
     same_output verify
     local said
-    said=$(tr -d , <"$room/err" | sed -n 's/^boomerang: verified \([0-9]*\) answers 0 differ$/\1/p')
-    one_line verify 'boomerang: verified [1-9][0-9]\{0,2\}\(,[0-9][0-9][0-9]\)* answers, 0 differ$'
+    said=$(sed -n 's/^boomerang: verified \([0-9]*\) answers, 0 differ$/\1/p' "$room/err")
+    one_line verify 'boomerang: verified [1-9][0-9]* answers, 0 differ$'
     [ "$said" = "$(number verified)" ] || fail "verify: says $said, counted $(number verified)"
     [ "$(number verified)" -gt 10000 ] || fail "verify: next to nothing was compared"
     [ "$(number differences)" -eq 0 ] || fail "verify: differences"
