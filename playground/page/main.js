@@ -25,7 +25,6 @@ class Playground {
     this.playing = false;
     this.held = 0;
     this.sketching = -1;
-    this.costs = [];
     this.framesDrawn = 0;
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
     this.wire();
@@ -159,9 +158,7 @@ class Playground {
   // ---- hands ----
 
   hold(body, x, y, angle) {
-    const start = performance.now();
     this.core.call("hold", body, x, y, angle);
-    this.heldFor = (this.heldFor ?? 0) + performance.now() - start; // work of the frame that follows
     const key = this.mode.poses;
     if (key) this.place[key] = [0, 1].map((b) => { const at = this.core.place(b); return [at.x, at.y, at.angle]; });
     this.wordsDue = true;
@@ -240,7 +237,7 @@ class Playground {
   }
 
   frame(now) {
-    const start = performance.now(), seconds = Math.min(0.1, Math.max(0, (now - (this.before ?? now)) / 1000));
+    const seconds = Math.min(0.1, Math.max(0, (now - (this.before ?? now)) / 1000));
     this.awake = false;
     this.step(seconds);
     if (this.mode.follows) this.follow(seconds);
@@ -251,9 +248,6 @@ class Playground {
       this.write_words();
     }
     this.framesDrawn++;
-    this.costs.push(performance.now() - start + (this.heldFor ?? 0));
-    this.heldFor = 0;
-    if (this.costs.length > 600) this.costs.shift();
     const moving = this.playing || this.fresh();
     this.before = moving ? now : undefined;
     if (moving) this.wake();

@@ -2,8 +2,6 @@
 #include "checks.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 /// @file
 /// The structures on the mixed hierarchy where they are hard. (On motions of every kind:

@@ -11,7 +11,6 @@
 #include "kds_driver.h"
 #include "motions.h"
 #include "polygons.h"
-#include "structure_named.h"
 
 static test_kds_body regular(size_t n) {
     test_random random = {n};

@@ -4,7 +4,6 @@
 #include "kds/failing.h"
 #include "motions.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 /// bmr_certificate_check_pair as it is on machines without SSE2 (kit/scalar_check.c).
 bmr_check test_scalar_check_pair(const bmr_certificate *certificate, const bmr_pose *b_in_a, int owner,

@@ -6,7 +6,6 @@
 #include "checks.h"
 #include "hierarchies.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 /// Of what one turn of a tangent pays for, whose loss is a quarter of the limit at least: then the tangents
 /// meet that far from a chord, and two tangents that differ by the angle delta meet within (D/2)

@@ -3,7 +3,6 @@
 #include "checks.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "structure_named.h"
 
 #define VERTICES 512
 /// Nearest and farthest separation, in decades of the diameter.

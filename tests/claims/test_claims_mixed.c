@@ -2,7 +2,6 @@
 #include "checks.h"
 #include "compass_fixture.h"
 #include "mixed_scene.h"
-#include "test_scale.h"
 
 /// @file
 /// The lemmas of section 4 on the mixed hierarchy, with their constants: its size, what happens to it in a

@@ -3,8 +3,6 @@
 // is a vertex, an edge, a node or a cell that is looked at (tests/claims/steps shows that this is the time).
 #include "checks.h"
 #include "kds_driver.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 static const size_t sizes[] = {64, 2048, 32768};
 /// D/s is 2 to the power of these.

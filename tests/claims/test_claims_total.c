@@ -5,8 +5,6 @@
 #include "checks.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 #define VERTICES 1024
 /// Separations, in decades of the diameter: mu is below VERTICES at all of them.

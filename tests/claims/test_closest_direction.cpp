@@ -8,7 +8,6 @@ extern "C" {
 #include "cases.h"
 #include "polygon_distance.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 namespace {
 

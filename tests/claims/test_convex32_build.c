@@ -8,7 +8,6 @@
 #include "convex32_loops.h"
 #include "convex32_poses.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 static bmr_vec32 vec(double x, double y) {
     const bmr_vec32 v = {(float)x, (float)y};

@@ -6,7 +6,6 @@
 #include "convex32/convex32_collide.h"
 #include "convex32_poses.h"
 #include "convex32_reference.h"
-#include "test_scale.h"
 
 static const float skin = 0.02f, tolerance = 0.0005f;
 

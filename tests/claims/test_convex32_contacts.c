@@ -5,7 +5,6 @@
 #include "convex32/convex32_collide.h"
 #include "convex32_poses.h"
 #include "convex32_reference.h"
-#include "test_scale.h"
 
 static const bmr_transform32 here = {{0.0f, 0.0f}, 0.0f, 1.0f};
 

@@ -6,7 +6,6 @@
 #include "geometry/posed_polygons.h"
 #include "polygons.h"
 #include "query_oracle.h"
-#include "test_scale.h"
 
 namespace {
 

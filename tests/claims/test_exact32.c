@@ -7,7 +7,6 @@
 
 #include "exact32/exact32.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 enum { MOST = 8 };
 

@@ -8,7 +8,6 @@
 #include "convex32_poses.h"
 #include "float4_table.h"
 #include "plain_lanes.h"
-#include "test_scale.h"
 
 /// The same bits, or both no numbers.
 static bool same(float a, float b) {

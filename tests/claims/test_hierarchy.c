@@ -7,7 +7,6 @@
 #include "geometry/distance.h"
 #include "hierarchies.h"
 #include "hierarchy/tree.h"
-#include "test_scale.h"
 
 static bmr_error build(bmr_hierarchy_kind kind, const bmr_polygon *p, const bmr_allocator *allocator,
                        bmr_hierarchy **h) {

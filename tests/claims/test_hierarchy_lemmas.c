@@ -7,7 +7,6 @@
 #include "hierarchies.h"
 #include "motions.h"
 #include "owned.h"
-#include "test_scale.h"
 
 static const size_t all_sizes[] = {3, 4, 5, 7, 8, 13, 64, 257, 1000, 4096};
 

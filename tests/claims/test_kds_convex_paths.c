@@ -7,8 +7,6 @@
 #include "kds/structure.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 // --- Convex translations at mu = n: two polygons whose Minkowski difference is a chain of k edges that comes
 // geometrically nearer to the path, (i, -ratio^-i), and the path along it.

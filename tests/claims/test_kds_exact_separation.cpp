@@ -7,7 +7,6 @@
 #include "exact_polygons.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "test_scale.h"
 
 namespace {
 

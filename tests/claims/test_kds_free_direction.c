@@ -6,8 +6,6 @@
 #include "hierarchies.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 /// The vertices and the distance are double; slopes of the path near zero are not looked at.
 #define ROUNDING 1e-6

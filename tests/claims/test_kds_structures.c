@@ -5,8 +5,6 @@
 #include "kds/point.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 static test_kds_body regular(size_t n) {
     test_random random = {n};
@@ -420,4 +418,42 @@ TEST(a_coarser_line_after_a_roll_proves_a_good_part) {
         assert_int_equal(all.thin, 0);
         assert_true(all.poorer > 0); // the control: some prove less than all
     }
+}
+
+/// Events of a rival that a line past regular n-gons at a distance costs, or a turn in place.
+static uint64_t regular_events(const bmr_kds_info *info, size_t n, bool turns) {
+    bmr_vec2 points[128];
+    bmr_polygon *polygons[2];
+    for (int k = 0; k < 2; k++) {
+        test_regular_points(n, 1.0, 0.1 + 0.3 * k, points);
+        assert_int_equal(bmr_polygon_create(points, n, NULL, &polygons[k]), BMR_OK);
+    }
+    own_kds_body a = test_kds_body_make(polygons[0]), b = test_kds_body_make(polygons[1]);
+    test_path path;
+    memset(&path, 0, sizeof path);
+    path.cubic[0] = bmr_vec2_make(turns ? 0.0 : -30.0, 3.0);
+    path.cubic[1] = bmr_vec2_make(turns ? 0.0 : 60.0, 0.0);
+    path.spin = turns ? 6.283185307179586 : 0.0;
+    bmr_kds_def def = bmr_default_kds_def();
+    def.margin = 1e-6;
+    own_kds *kds = made_kds(info, &def, &a.shape, &b.shape);
+    const test_drive how = {.path = &path, .margin = def.margin};
+    const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
+    assert_true(test_drive_is_sound(&r));
+    return test_drive_events(&r);
+}
+
+/// The rivals cost Theta(n) and Theta(n^2) events.
+TEST(test_a_pass_and_a_turn_cost_events_in_proportion_to_n) {
+    static const char *const rivals[] = {"closest-features", "inner-tangent", "separating-edge-walk"};
+    for (int turns = 0; turns < 2; turns++)
+        for (size_t k = 0; k < COUNT_OF(rivals); k++) {
+            const uint64_t few = regular_events(test_structure(rivals[k]), 16, turns),
+                           many = regular_events(test_structure(rivals[k]), 128, turns);
+            printf("%s, %s: %d events for n = 16, %d for 128\n", rivals[k], turns ? "turn" : "pass", (int)few,
+                   (int)many);
+            assert_true(few >= 7);
+            // Eight times, and an end; the corners of a coarse body that turns rock the other's feature too.
+            assert_true(many >= (turns ? 5 : 7) * few && many <= 9 * few);
+        }
 }

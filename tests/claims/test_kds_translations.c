@@ -9,8 +9,6 @@
 #include "kds/windowed_line.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 #define PI 3.14159265358979323846
 #define MARGIN 1e-9

@@ -5,7 +5,6 @@
 #include "kds/windowed_line.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "structure_named.h"
 
 static const char *const names[] = {
     "inflated-translation", "inflated-window", "hybrid", "two-lines", "coarse", "free-fd2",

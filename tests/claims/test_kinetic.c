@@ -8,7 +8,6 @@
 
 #include "boomerang/motion.h"
 #include "kinetic/first_root.h"
-#include "test_scale.h"
 
 #define ROOT_TOLERANCE 1e-9
 

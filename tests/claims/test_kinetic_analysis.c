@@ -7,8 +7,6 @@
 #include "failing_allocator.h"
 #include "kds/structure.h"
 #include "polygons.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 #define PI 3.14159265358979323846
 #define MARGIN 1e-6

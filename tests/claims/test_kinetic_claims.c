@@ -6,7 +6,6 @@
 #include "course_stage.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
-#include "test_scale.h"
 
 /// As in test_kinetic_hysteresis.c: no event is near the annulus where nothing is promised.
 #define VERTICES 400

@@ -10,7 +10,6 @@
 #include "kinetic/bernstein.h"
 #include "kinetic/event_queue.h"
 #include "kinetic/first_root.h"
-#include "structure_named.h"
 
 /// In GSL's place: what the solver says here.
 static int solver_status = GSL_SUCCESS;

@@ -7,7 +7,6 @@
 #include "hierarchies.h"
 #include "motions.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 #define PI 3.14159265358979323846
 

@@ -7,7 +7,6 @@
 #include "kds/registry.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "test_scale.h"
 
 /// Smooth enough that no event of the motions here is near the annulus of width O(D/n) where nothing is
 /// promised.

@@ -6,7 +6,6 @@
 #include "kinetic/piece.h"
 #include "motion_pieces.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 #define PI 3.14159265358979323846
 

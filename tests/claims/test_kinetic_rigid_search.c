@@ -7,8 +7,6 @@
 #include "kds/registry.h"
 #include "kds_driver.h"
 #include "motion_pieces.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 #define PI 3.14159265358979323846
 #define MOST_VERTICES 2048

@@ -6,8 +6,6 @@
 #include "course_stage.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 static stage set(bmr_family family, double ratio, size_t n, uint64_t seed) {
     return stage_of(outline(BMR_OUTLINE_ELLIPSE, n, seed), outline(BMR_OUTLINE_DISC, n, seed + 1),

@@ -7,7 +7,6 @@
 #include "kds/registry.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "structure_named.h"
 
 #define COUNT(list) (sizeof(list) / sizeof *(list))
 

@@ -9,8 +9,6 @@
 #include "kds_driver.h"
 #include "motion_pieces.h"
 #include "motions.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 #define PI 3.14159265358979323846
 #define MOST_BODIES 20

@@ -6,7 +6,6 @@
 #include "checks.h"
 #include "course_stage.h"
 #include "kds_driver.h"
-#include "structure_named.h"
 
 /// One of the courses.
 typedef struct stall {

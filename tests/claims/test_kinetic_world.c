@@ -8,7 +8,6 @@
 #include "motion_pieces.h"
 #include "motions.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 #define PLAY_SHAPES 12
 #define SIZE 5.0 // half the side of the square in which bodies begin

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Kinetic worlds, case by case: what is known beforehand of contacts and answers, of cells, of changes and of
 // memory.
-#include "test_scale.h"
 #include "world_stage.h"
 
 // ---- contacts and answers ----

@@ -2,7 +2,6 @@
 // Kinetic worlds: their memory, what happens where there is none, walls with every structure, and places that
 // are no numbers or have no ids left.
 #include "failing_allocator.h"
-#include "test_scale.h"
 #include "world/parts.h"
 #include "world_stage.h"
 

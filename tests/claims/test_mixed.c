@@ -2,7 +2,6 @@
 #include "checks.h"
 #include "compass_fixture.h"
 #include "mixed_scene.h"
-#include "test_scale.h"
 
 /// @file
 /// The mixed hierarchy against brute force over all tiles: what lies across each side. That they tile, and

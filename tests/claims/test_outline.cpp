@@ -5,7 +5,6 @@
 #include "cases.h"
 #include "outline_families.h"
 #include "outline_oracle.h"
-#include "test_scale.h"
 #include <algorithm>
 #include <cstdint>
 #include <vector>

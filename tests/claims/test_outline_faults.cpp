@@ -8,7 +8,6 @@
 #include "outline_families.h"
 #include "outline_faults.h"
 #include "outline_oracle.h"
-#include "test_scale.h"
 
 using namespace outlines;
 

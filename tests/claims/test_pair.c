@@ -3,7 +3,6 @@
 #include "checks.h"
 #include "motions.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 #define TWO_PI 6.283185307179586
 #define FOR_EACH_STRUCTURE(s) for (bmr_structure s = 0; s < BMR_STRUCTURE_COUNT; ++s)

@@ -6,7 +6,6 @@
 #include "exact_polygons.h"
 #include "motions.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 namespace {
 

@@ -5,7 +5,6 @@
 #include "checks.h"
 #include "motions.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 #define STEPS 40
 

@@ -7,7 +7,6 @@
 #include "motions.h"
 #include "polygon_distance.h"
 #include "polygons.h"
-#include "test_scale.h"
 
 namespace {
 

@@ -5,8 +5,6 @@
 #include "boomerang/repair.h"
 #include "cases.h"
 
-#include "test_scale.h"
-
 namespace {
 
 using bmr::FillRule;

@@ -10,7 +10,6 @@
 #include "convex32_poses.h"
 #include "exact32/swept32.h"
 #include "plain_lanes.h"
-#include "test_scale.h"
 
 // --- Random shapes of up to 8 points in motion, and their gaps on the way, in double.
 

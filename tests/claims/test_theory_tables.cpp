@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the tables of `boomerang-testbed events` conclude from runs: made-up runs with known growth.
 #include "cases.h"
-#include "structure_named.h"
+#include "kds_driver.h"
 #include "theory/event_tables.h"
 
 using namespace testbed;

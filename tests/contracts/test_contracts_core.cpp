@@ -5,9 +5,9 @@
 #include "boomerang/kds.h"
 #include "boomerang/minkowski.h"
 #include "boomerang/outline.h"
+#include "contracts.h"
 #include "hierarchy/mixed_cells.h"
-#include "stage.h"
-#include "structure_named.h"
+#include "kds_driver.h"
 
 using namespace contracts;
 

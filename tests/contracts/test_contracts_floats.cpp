@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Polygons in float (convex32, swept32); and poses that are none.
+#include "contracts.h"
 #include "convex32/convex32.h"
 #include "convex32/convex32_collide.h"
 #include "convex32/convex32_distance.h"
 #include "convex32/convex32_pieces.h"
 #include "exact32/swept32.h"
-#include "stage.h"
 
 using namespace contracts;
 

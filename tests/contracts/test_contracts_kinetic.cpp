@@ -8,10 +8,10 @@
 #include "boomerang/simulation.h"
 #include "boomerang/time_of_contact.h"
 #include "boomerang/world.h"
+#include "contracts.h"
 #include "failing_allocator.h"
+#include "kds_driver.h"
 #include "kinetic/first_root.h"
-#include "stage.h"
-#include "structure_named.h"
 
 using namespace contracts;
 

@@ -7,8 +7,8 @@
 
 #include "boomerang/convex_shape.h"
 #include "boomerang/outline_shape.h"
+#include "contracts.h"
 #include "debug/inspect.h"
-#include "stage.h"
 
 using namespace contracts;
 

@@ -215,7 +215,6 @@ test_requests_that_make_no_sense() {
     expect 2 render pyramid --step -1 -o "$scratch/picture.svg"
     says 'no whole number from 0 to 100000000' 2 render pyramid --step 100000001 -o "$scratch/picture.svg"
     expect 2 render pyramid --step 1 --frames 1:2 -o "$scratch/picture.svg"
-    expect 2 render pyramid --step 1
     expect 2 render pyramid --step 1 --all --bare -o "$scratch/picture.svg"
     says 'should end in .svg, .png or .pdf' 2 render pyramid --step 1 -o "$scratch/picture.jpeg"
     expect 3 render pyramid --step 1 -o "$scratch/no/such/directory.png"
@@ -229,7 +228,6 @@ test_requests_that_make_no_sense() {
         ! echo old | cmp -s - "$scratch/kept.$ending" || fail "control: the old picture is still there"
         [ -z "$(find "$scratch" -name '*.part')" ] || fail "an unfinished picture is left"
     done
-    says 'nearest is "pyramid"' 2 render piramid --step 1 -o "$scratch/picture.svg"
     says 'Layers:' 0 render --help
     out_has '--focus'
     clean

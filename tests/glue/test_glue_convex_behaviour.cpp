@@ -5,7 +5,6 @@
 
 #include "boomerang/convex_shape.h"
 #include "cases.h"
-#include "test_scale.h"
 
 namespace {
 

@@ -4,7 +4,6 @@
 // what is true: tests/random/fuzz_convex32.cpp.)
 #include "cases.h"
 #include "convex_oracle.h"
-#include "test_scale.h"
 
 using namespace oracle;
 using namespace shapes;

@@ -11,8 +11,6 @@
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"
 
-#include "test_scale.h"
-
 using bmr::ConvexShape;
 using namespace shapes;
 

@@ -10,8 +10,6 @@
 #include "shapes/convex_geometry.h"
 #include "shapes/convex_registry.h"
 
-#include "test_scale.h"
-
 using bmr::ConvexShape;
 using namespace shapes;
 using Points = std::vector<b2Vec2>;

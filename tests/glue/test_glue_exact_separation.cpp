@@ -16,7 +16,6 @@
 #include "glue/proofs/sweep_apart.h"
 #include "glue/proofs/thresholds.h"
 #include "start/settings.h"
-#include "test_scale.h"
 
 namespace {
 

@@ -5,7 +5,6 @@
 #include "box2d_shapes.h"
 #include "cases.h"
 #include "shapes/shapes32.h"
-#include "test_scale.h"
 
 namespace {
 

@@ -8,7 +8,6 @@
 
 #include "box2d_shapes.h"
 #include "plain_pieces.h"
-#include "test_scale.h"
 
 using namespace shapes;
 

@@ -7,7 +7,6 @@
 #include "cases.h"
 
 #include "box2d_shapes.h"
-#include "test_scale.h"
 
 using bmr::OutlineShape;
 using namespace shapes;

@@ -7,7 +7,6 @@
 #include "cases.h"
 
 #include "plain_pieces.h"
-#include "test_scale.h"
 
 namespace {
 

@@ -12,7 +12,6 @@
 #include "box2d_shapes.h"
 #include "cases.h"
 #include "glue/proofs/overlap.h"
-#include "test_scale.h"
 
 extern B2_API int32 b2_gjkMaxIters;
 

@@ -15,7 +15,6 @@
 #include "exact32/exact32.h"
 #include "shapes/shapes32.h"
 #include "start/recognise.h"
-#include "test_scale.h"
 
 namespace {
 

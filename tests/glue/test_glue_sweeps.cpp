@@ -10,7 +10,6 @@
 #include "cases.h"
 #include "glue/proofs/sweep_apart.h"
 #include "glue/proofs/thresholds.h"
-#include "test_scale.h"
 
 extern B2_API int32 b2_gjkMaxIters;
 

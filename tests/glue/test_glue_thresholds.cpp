@@ -8,7 +8,6 @@
 #include "glue/proofs/hull_pair.h"
 #include "glue/proofs/thresholds.h"
 #include "start/settings.h"
-#include "test_scale.h"
 
 namespace {
 

@@ -2,7 +2,6 @@
 // Leaves put into a tree of boxes, taken out and moved by the plugin's code, and by Box2D's: after each
 // operation the two trees are the same to the bit, and so are their lists of free nodes.
 #include "cases.h"
-#include "test_scale.h"
 #include "tree/edit.h"
 #include "tree_play.h"
 

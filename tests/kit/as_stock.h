@@ -3,7 +3,6 @@
 #define BOOMERANG_TEST_AS_STOCK_H
 
 #include "game.h"
-#include "test_scale.h"
 
 /// @file
 /// Games that must have stock Box2D's bits. A game is a test case: it builds worlds, plays them, and hands

@@ -22,6 +22,8 @@
 
 #include <doctest/doctest.h>
 
+#include "test_scale.h"
+
 /// @file
 /// doctest, and what its tests need of the standard library. kit/doctest_main.cpp has their main.
 

@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "test_scale.h"
+
 /// @file
 /// Tests in C: a program is one source that includes this header, `main` is here. TEST(name) { ... } is a
 /// test, and needs no list. A check that fails ends its test; the program goes on with the next, and fails in

@@ -2,6 +2,7 @@
 #include "kds_driver.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,6 +15,17 @@
 
 /// What the rounding of a structure may cost at contact, as part of the extents (bmr_kds_def).
 #define CONTACT_ROUNDING 1e-9
+
+const bmr_kds_info *test_structure(const char *name) {
+    const bmr_kds_info *info = NULL;
+    if (bmr_kds_find(name, &info) != BMR_OK) {
+        char text[1024];
+        bmr_kds_describe_unknown(name, text, sizeof text);
+        fprintf(stderr, "%s\n", text);
+        abort();
+    }
+    return info;
+}
 
 static const bmr_compass *shared_compass(void) {
     static bmr_compass *compass; // for the life of the test

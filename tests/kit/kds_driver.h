@@ -13,6 +13,9 @@ extern "C" {
 /// Drives one kinetic structure along a motion, event by event, without any of core/kinetic: failures are
 /// found by cautious steps and bisection of the conditions' values, and everything is audited by brute force.
 
+/// The structure of a name. A test that misspells it ends with core's own sentence.
+const bmr_kds_info *test_structure(const char *name);
+
 /// A polygon with its hierarchies of all kinds. Aborts on failure: a test without memory is none.
 typedef struct test_kds_body {
     bmr_polygon *polygon;

@@ -5,8 +5,6 @@
 #include "checks.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "structure_named.h"
-#include "test_scale.h"
 
 /// @file
 /// A point that passes a polygon, and the structure that follows it: for the tests of what the paper claims

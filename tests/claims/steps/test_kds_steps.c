@@ -5,7 +5,6 @@
 #include "checks.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "test_scale.h"
 
 /// Blocks for each step reported, at most. Measured: 8 to 42 on average, 141 at most (a rival's walk by one
 /// feature, which looks at some ten conditions); other compilers cut blocks otherwise.

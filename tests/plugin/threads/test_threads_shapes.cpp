@@ -7,7 +7,6 @@
 #include <box2d/b2_distance.h>
 
 #include "cases.h"
-#include "test_scale.h"
 
 namespace {
 
