@@ -2,11 +2,11 @@
 // How hooks are reached where Box2D is compiled with the plugin (boomerang_accelerate,
 // cmake/BoomerangAccelerate.cmake).
 //
-// Each file of this folder replaces the source of Box2D's that has the same name: it gives some functions that
-// the source defines other names (BmrStock...), includes the source as it is (BMR_BOX2D_SOURCE), and defines
-// the functions of bmr::stock (hooks/stock.h, start/hook_list.h) that call them. All other files of Box2D
-// call Box2D's names, which hooks/ defines. Members that only this file has do not change how a class is
-// laid out.
+// Each file of this folder replaces the source of Box2D's that has the same name: it gives some functions
+// that the source defines other names (BmrStock...), includes the source as it is (BMR_BOX2D_SOURCE), and
+// defines the functions of bmr::stock (hooks/stock.h, start/hook_list.h) that call them. All other files of
+// Box2D call Box2D's names, which hooks/ defines. Members that only this file has do not change how a class
+// is laid out.
 //
 // Most functions are called from other files alone, and one `#define` renames them. Those that their own
 // source calls, too, keep their name in calls and get another one where they are defined. The first word in
