@@ -9,7 +9,7 @@ seeds. Where one differs stock is held against itself, with other bytes in what 
 decide, or a signal or one of Box2D's assertions ends it, a world is not compared.
 Polygons of any size are held against the plugin without its hooks.
 
-Without --first and --seeds: BMR_TEST_SEED (default 1) and 640 worlds times BMR_TEST_SCALE, no fewer than 48.
+Without --first and --seeds: BMR_TEST_SEED (default 1) and 480 worlds times BMR_TEST_SCALE, no fewer than 24.
 """
 import argparse
 import concurrent.futures
@@ -30,7 +30,7 @@ def arguments():
     parser.add_argument("library", type=pathlib.Path)
     parser.add_argument("corpus", type=pathlib.Path, nargs="?")
     parser.add_argument("--first", type=int, default=int(os.environ.get("BMR_TEST_SEED", "1")))
-    parser.add_argument("--seeds", type=int, default=max(48, int(640 * float(os.environ.get("BMR_TEST_SCALE", "1")))))
+    parser.add_argument("--seeds", type=int, default=max(24, int(480 * float(os.environ.get("BMR_TEST_SCALE", "1")))))
     parser.add_argument("--forms", default="preloaded,everywhere,linked,told,dudley,trapped,any-size")
     parser.add_argument("--jobs", type=int, default=int(os.environ.get("BMR_JOBS", os.cpu_count())))
     return parser.parse_args()
