@@ -33,7 +33,7 @@ said=$(wrong "$root/CONTRIBUTING.md")
 [ -z "$said" ] || { echo "FAILED: CONTRIBUTING.md: $said"; failed=1; }
 # The control: a page that names others.
 sed -e 's/test_budget/test_budgets/g' -e 's|^\./tests/run|./tests/walk|' "$root/CONTRIBUTING.md" >"$room/page.md"
-[ "$(wrong "$room/page.md" | paste -s -d ,)" = "no target test_pears,no test test_pears,no command ./tests/walk" ] ||
+[ "$(wrong "$room/page.md" | paste -s -d ,)" = "no target test_budgets,no test test_budgets,no command ./tests/walk" ] ||
     { echo "FAILED: the control: $(wrong "$room/page.md")"; failed=1; }
 # taken_back FILE: can the diff of a page be taken back from the tree?
 taken_back() {
