@@ -31,7 +31,9 @@ template <typename T> struct GlueAllocator {
     using value_type = T;
     GlueAllocator() = default;
     template <typename Other> GlueAllocator(const GlueAllocator<Other> &) {}
-    T *allocate(std::size_t count) { return static_cast<T *>(TakeMemory(nullptr, count * sizeof(T))); }
+    T *allocate(std::size_t count) {
+        return static_cast<T *>(TakeMemory(nullptr, count * sizeof(T))); // NOLINT(bugprone-sizeof-expression)
+    }
     void deallocate(T *block, std::size_t) { std::free(block); }
     template <typename Other> bool operator==(const GlueAllocator<Other> &) const { return true; }
     template <typename Other> bool operator!=(const GlueAllocator<Other> &) const { return false; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Many bodies at once: to begin with, and changed together.
+#include <algorithm>
 #include <cmath>
 
 #include "actor.h"
@@ -196,7 +197,10 @@ void Actor::CreateCompound() {
     material.restitution = dice.OnceIn(3) ? 0.6f : 0.0f;
     switch (how / 8 % 4) {
     case 0: {
-        const int count = 5 + dice.Below(dice.OnceIn(6) ? m_mostFixtures - 5 : 6);
+        const int size = dice.Below(30); // few have very many
+        const int count = 5 + dice.Below(size == 0  ? m_mostFixtures - 5
+                                         : size < 6 ? std::min(m_mostFixtures - 5, 35)
+                                                    : 6);
         const float least = dice.OnceIn(2) ? 0.9f : 0.3f;
         b2Vec2 first(0.0f, 0.0f), before(0.0f, 0.0f);
         for (int i = 0; i <= count; ++i) {
