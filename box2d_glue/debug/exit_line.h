@@ -10,8 +10,8 @@
 /// What the library says when the process ends. With BOOMERANG_VERBOSE=1, also in Mode::Off, it is one line
 /// on stderr: how many steps the process took, how long each was, and how many pairs it had.
 ///
-/// `boomerang try` (plugin/boomerang.sh.in) reads that line. BOOMERANG_STEPS=N, which it sets, ends the count after N
-/// steps, and says the line at once.
+/// `boomerang try` (plugin/boomerang.sh.in) reads that line. BOOMERANG_STEPS=N, which it sets, ends the count
+/// after N steps, and says the line at once.
 
 namespace bmr {
 

@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# games on Box2D built as games build it, in four ways, with --long in seven: with the plugin they do what they do without
+# games on Box2D built as games build it, in four ways, with --long in twice as many: with the plugin they do what they do without
 
 # With --long six are accelerated, and not one; five hundred worlds of the actor on each; and all scenes of the testbed on an accelerated Box2D, with their instructions.
 stage_builds() {
