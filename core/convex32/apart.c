@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "edge_search.h"
-#include "exact32/clip_lanes.h"
 
 /// No remembered direction is longer: its length was 32767 before its coordinates were rounded.
 #define LONGEST_AXIS 32768.0f

@@ -4,11 +4,14 @@
 
 #include <math.h>
 
+#include "boomerang/vector.h"
 #include "convex32/convex32.h"
 #include "convex32/directions.h"
+#include "geometry/size.h"
 
 /// @file
-/// What polygons of any size (build.c) and pieces of outlines (pieces.c) are made with.
+/// What polygons of any size (build.c), pieces of outlines (pieces.c) and choices of their vertices
+/// (simplify.c) are made with.
 
 /// The outward unit normal of the edge, rounded once. Rounding keeps the order of directions, and does not
 /// depend on where the edge lies.
@@ -26,6 +29,26 @@ static inline bool convex32_turns(bmr_vec32 a, bmr_vec32 b, bmr_vec32 c) {
     return convex32_turn(before, after) > 0.0 ||
            (double)before.x * (double)after.x + (double)before.y * (double)after.y < 0.0;
 }
+
+/// Bytes for `count` points in double, and for a hull of them that ends where it began. False where that is
+/// more than `limit`.
+static inline bool convex32_scratch(size_t count, size_t limit, size_t *bytes) {
+    size_t size = 0, begin;
+    if (!bmr_size_add(&size, count, 2 * sizeof(bmr_vec2), 1, limit, &begin) ||
+        !bmr_size_add(&size, 1, sizeof(bmr_vec2), 1, limit, &begin))
+        return false;
+    *bytes = size;
+    return true;
+}
+
+/// Twice the area of a triangle, positive if it is counter-clockwise: within 4e-9 of its value however thin
+/// it is, and 0 only where it is 0. Coordinates are finite; rounding is to nearest (in other modes a needle's
+/// may be lost). 10 ns, some 45 for needles.
+double convex32_twice_area(bmr_vec32 a, bmr_vec32 b, bmr_vec32 c);
+
+/// Drops the vertices of a strictly convex polygon that turn by no more than rounding, in place, and with
+/// them their numbers, unless these are NULL. How many are left: they may be fewer than three.
+size_t convex32_drop_straight(bmr_vec32 *v, uint32_t *numbers, size_t count);
 
 /// BMR_OK, BMR_ERROR_NOT_FINITE or BMR_ERROR_OUT_OF_RANGE.
 bmr_error convex32_check_points(const bmr_vec32 *points, size_t count);

@@ -41,9 +41,6 @@ static float least_along(const bmr_convex32 *polygon, const bmr_transform32 *fra
 static axis32 axis_of_edge(const bmr_convex32 *polygon, const bmr_transform32 *frame, bmr_vec32 first,
                            bmr_vec32 normal, uint32_t *vertex) {
     axis32 axis = {normal, least_along(polygon, frame, normal, first, vertex), 0, false};
-    // To the other side it is less than the negative of what any vertex says.
-    if (axis.separation > 0.0f)
-        return axis;
     uint32_t far = (*vertex + polygon->count / 2) % polygon->count;
     const float other = least_along(polygon, frame, negative(normal), first, &far);
     if (other > axis.separation) {
@@ -109,8 +106,8 @@ static void points_on_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr
     const uint32_t facing =
         faces_alone ? face_facing(polygon, best, hint, turn_back(frame, primary->normal)) : best;
     const uint32_t next = convex32_next(polygon, facing);
-    corner corners[2] = {corner_of(move(frame, polygon->vertices[facing]), (int32_t)facing, 0),
-                         corner_of(move(frame, polygon->vertices[next]), (int32_t)next, 0)};
+    clip_corner corners[2] = {corner_of(move(frame, polygon->vertices[facing]), (int32_t)facing, 0),
+                              corner_of(move(frame, polygon->vertices[next]), (int32_t)next, 0)};
     const bmr_vec32 back = negative(along);
     if (!cut(corners, back, dot(back, edge->first), 0) || !cut(corners, along, dot(along, edge->second), 1))
         return;
@@ -129,13 +126,13 @@ static void points_on_polygon(bmr_manifold32 *manifold, const bmr_edge32 *edge, 
     const bmr_vec32 v1 = move(frame, polygon->vertices[face]), v2 = move(frame, polygon->vertices[second]);
     const bmr_vec32 normal = turn(frame, polygon->normals[face]);
     const bmr_vec32 side = quarter_right(normal), other_side = negative(side);
-    const corner whole[2] = {{edge->second, {1, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}},
-                             {edge->first, {0, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}}};
+    const clip_corner whole[2] = {{edge->second, {1, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}},
+                                  {edge->first, {0, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE}}};
     manifold->type = BMR_MANIFOLD_FACE_B;
     const int passes = polygon->count > 8 ? 2 : 1;
     for (int pass = 0; pass < passes && manifold->count == 0; ++pass) {
         const float wider = pass == 0 ? 0.0f : radius_sum;
-        corner corners[2] = {whole[0], whole[1]};
+        clip_corner corners[2] = {whole[0], whole[1]};
         if (!cut(corners, side, dot(side, v1) + wider, (int32_t)face) ||
             !cut(corners, other_side, dot(other_side, v2) + wider, (int32_t)second))
             continue;
@@ -158,20 +155,6 @@ static void points_on_polygon(bmr_manifold32 *manifold, const bmr_edge32 *edge, 
     }
 }
 
-/// The face of the piece that separates most; false where it has none. O(n).
-static bool best_face(const edge_search *search, edge_view *best) {
-    bool found = false;
-    for (uint32_t i = 0; i < search->reference->count; ++i) {
-        if (!is_face(search->reference, i))
-            continue;
-        const edge_view view = bmr_convex32_look(search, i, best->vertex);
-        if (!found || view.separation > best->separation)
-            *best = view;
-        found = true;
-    }
-    return found;
-}
-
 /// A piece instead: faces alone, and the edge alone where the piece admits it. `best` is the piece's edge of
 /// largest separation, `vertex` where it is least separated from the edge. False: as of any polygon.
 static bool collide_piece(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr_vec32 along,
@@ -180,20 +163,19 @@ static bool collide_piece(bmr_manifold32 *manifold, const bmr_edge32 *edge, bmr_
     const bmr_convex32 *const polygon = search->reference;
     const bool edge_is_admitted = bmr_convex32_admits(
         polygon, vertex, negative(turn_back(&search->frame, of_edge->normal)), nearly_straight);
-    edge_view view = *best;
-    const bool has_face = is_face(polygon, best->edge) || best_face(search, &view);
-    const float of_faces =
-        fmaxf(edge_is_admitted ? of_edge->separation : -FLT_MAX, has_face ? view.separation : -FLT_MAX);
+    const candidate face = best_face(search, best, 0.0f); // the edge, as the other, admits every direction
+    const float of_faces = fmaxf(edge_is_admitted ? of_edge->separation : -FLT_MAX,
+                                 face.found ? face.view.separation : -FLT_MAX);
     const float nearest = fmaxf(of_edge->separation, best->separation);
     const piece_answer answer = answer_of(nearest, of_faces, radius_sum);
     if (answer == AS_ANY_POLYGON)
-        return !has_face;
+        return !face.found;
     if (answer == BY_OTHER_PIECE)
         return true;
     const float enough = relative_tolerance * (of_edge->separation - radius_sum) + absolute_tolerance;
     axis32 primary = *of_edge;
-    if (has_face && (!edge_is_admitted || view.separation - radius_sum > enough))
-        primary = axis_of_polygon(&view);
+    if (face.found && (!edge_is_admitted || face.view.separation - radius_sum > enough))
+        primary = axis_of_polygon(&face.view);
     if (edge->one_sided && !admit(edge, along, polygon, of_edge, &primary))
         return true;
     if (primary.separation < nearest - radius_sum) // at a notch of a chain

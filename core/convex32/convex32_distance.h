@@ -49,11 +49,6 @@ bmr_distance32 bmr_convex32_distance(const bmr_proxy32 *a, const bmr_transform32
                                      const bmr_proxy32 *b, const bmr_transform32 *pose_b,
                                      bmr_closest32 *closest);
 
-/// Are they farther apart than `distance` along a direction (of unit length, from a to b, in the world), for
-/// certain? Two supports.
-bool bmr_convex32_apart_along(const bmr_proxy32 *a, const bmr_transform32 *pose_a, const bmr_proxy32 *b,
-                              const bmr_transform32 *pose_b, float distance, bmr_vec32 direction);
-
 /// Box2D's b2Sweep.
 typedef struct bmr_sweep32 {
     bmr_vec32 local_center, c0, c;

@@ -62,12 +62,6 @@ bmr_error bmr_convex32_create_piece(const bmr_piece_corner32 *corners, size_t co
 /// whose sine is `tolerance`? True of polygons that are no pieces.
 bool bmr_convex32_admits(const bmr_convex32 *polygon, uint32_t vertex, bmr_vec32 direction, float tolerance);
 
-/// bmr_convex32_collide of two polygons at least one of which is a piece.
-void bmr_convex32_collide_pieces(bmr_manifold32 *manifold, const bmr_convex32 *a,
-                                 const bmr_transform32 *pose_a, const bmr_convex32 *b,
-                                 const bmr_transform32 *pose_b, float radius_sum, float tolerance,
-                                 bmr_convex32_memory *memory);
-
 /// A ray from p1 towards p2 in the frame of an outline, no vertex of which is farther from the origin than
 /// `reach`. At a corner of the outline where several pieces meet, each of those that have a face there may
 /// say, by rounding, that the ray passes it by. Two facts find such a ray: it passes the corner within

@@ -24,10 +24,6 @@ static inline double convex32_turn(bmr_vec32 a, bmr_vec32 b) {
     return (double)a.x * (double)b.y - (double)a.y * (double)b.x;
 }
 
-static inline float convex32_dot(bmr_vec32 v, bmr_vec32 d) {
-    return (v.x * d.x) + (v.y * d.y);
-}
-
 static inline uint32_t convex32_next(const bmr_convex32 *p, uint32_t i) {
     return i + 1 < p->count ? i + 1 : 0;
 }

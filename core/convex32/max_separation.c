@@ -119,12 +119,12 @@ static inline least least_separated(const bmr_convex32 *other, bmr_vec32 normal,
     return least_around(other, normal, place, farthest32(other, negative(normal), at));
 }
 
-static edge_view look(const edge_search *search, uint32_t edge, uint32_t hint) {
+edge_view bmr_convex32_look(const edge_search *search, uint32_t edge, uint32_t vertex_hint) {
     edge_view view;
     view.edge = edge;
     view.normal = turn(&search->frame, search->reference->normals[edge]);
     view.place = move(&search->frame, search->reference->vertices[edge]);
-    const least found = least_separated(search->other, view.normal, view.place, hint);
+    const least found = least_separated(search->other, view.normal, view.place, vertex_hint);
     view.vertex = found.vertex;
     view.separation = found.separation;
     view.nearest = search->other->vertices[found.vertex];
@@ -276,7 +276,7 @@ static void split(branches *b) {
         return;
     const edge_search *const search = b->search;
     const uint32_t edge = inner_edge(search->reference, &a, turn_back(&search->frame, a.direction));
-    const edge_view middle = look(search, edge, a.from.vertex);
+    const edge_view middle = bmr_convex32_look(search, edge, a.from.vertex);
     if (better(&middle, &b->found->best))
         b->found->best = middle;
     add_arc(b, &a.from, &middle, a.depth + 1);
@@ -301,12 +301,12 @@ static void search_arcs(const edge_search *search, const edge_view *low, const e
         along = inside / 2;
     edge_view left = *high, right = *low;
     if (along > 0) {
-        left = look(search, (first + along - 1) % count, high->vertex);
+        left = bmr_convex32_look(search, (first + along - 1) % count, high->vertex);
         if (better(&left, &found->best))
             found->best = left;
     }
     if (along < inside) {
-        right = look(search, (first + along) % count, left.vertex);
+        right = bmr_convex32_look(search, (first + along) % count, left.vertex);
         if (better(&right, &found->best))
             found->best = right;
     }
@@ -378,7 +378,7 @@ void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t v
     const bmr_convex32 *const reference = search->reference;
     const uint32_t count = reference->count;
     edge_view *const best = &found->best;
-    *best = look(search, edge_hint < count ? edge_hint : 0, vertex_hint);
+    *best = bmr_convex32_look(search, edge_hint < count ? edge_hint : 0, vertex_hint);
     found->rest = -FLT_MAX;
     edge_view high = *best, low = *best;
     beyond above = beyond_high(search, &high), below = beyond_low(search, &low);
@@ -386,14 +386,16 @@ void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t v
     for (uint32_t looks = 0; looks < NEAR_LOOKS && steps32(high.edge, low.edge, count) != 1; ++looks) {
         const float close = best->separation - best->noise;
         if (above.next >= close) {
-            const edge_view next = look(search, convex32_next(reference, high.edge), high.vertex);
+            const edge_view next =
+                bmr_convex32_look(search, convex32_next(reference, high.edge), high.vertex);
             raise_rest(search, &high, &next, above.between, found);
             high = next;
             above = beyond_high(search, &high);
             if (better(&high, best))
                 *best = high;
         } else if (below.next >= close) {
-            const edge_view last = look(search, convex32_previous(reference, low.edge), low.vertex);
+            const edge_view last =
+                bmr_convex32_look(search, convex32_previous(reference, low.edge), low.vertex);
             raise_rest(search, &last, &low, below.between, found);
             low = last;
             below = beyond_low(search, &low);
@@ -410,10 +412,6 @@ void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t v
         return;
     }
     search_arcs(search, &low, &high, floor, found);
-}
-
-edge_view bmr_convex32_look(const edge_search *search, uint32_t edge, uint32_t vertex_hint) {
-    return look(search, edge, vertex_hint);
 }
 
 float bmr_convex32_max_separation(const bmr_convex32 *reference, const bmr_convex32 *other,

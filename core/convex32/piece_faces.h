@@ -6,7 +6,7 @@
 #include "edge_search.h"
 
 /// @file
-/// Which edges of a piece count: what the three files that make manifolds ask.
+/// Which edges of a piece count: what collide.c and collide_edge.c ask.
 
 /// Sines. Corners of a straight stretch turn by less than the first, whatever the rounding of their floats;
 /// of two faces that lie on each other the directions differ by less than the second (which is Box2D's own
@@ -62,6 +62,35 @@ static inline uint32_t face_facing(const bmr_convex32 *polygon, uint32_t best, u
     if (face_last && face_next)
         return dot(polygon->normals[last], normal) < dot(polygon->normals[vertex], normal) ? last : vertex;
     return face_last ? last : vertex;
+}
+
+/// The face of largest separation that the other polygon admits.
+typedef struct candidate {
+    edge_view view;
+    bool found;
+} candidate;
+
+static inline bool is_admitted(const edge_search *search, const edge_view *view, float tolerance) {
+    return bmr_convex32_admits(search->other, view->vertex, negative(view->normal), tolerance);
+}
+
+/// `best` is the edge of largest separation of all, most often a face. Otherwise O(n) edges are looked at.
+static inline candidate best_face(const edge_search *search, const edge_view *best, float tolerance) {
+    candidate c = {*best, is_face(search->reference, best->edge) && is_admitted(search, best, tolerance)};
+    if (c.found)
+        return c;
+    uint32_t hint = best->vertex;
+    for (uint32_t i = 0; i < search->reference->count; ++i) {
+        if (!is_face(search->reference, i))
+            continue;
+        const edge_view view = bmr_convex32_look(search, i, hint);
+        hint = view.vertex;
+        if ((c.found && !(view.separation > c.view.separation)) || !is_admitted(search, &view, tolerance))
+            continue;
+        c.view = view;
+        c.found = true;
+    }
+    return c;
 }
 
 #endif

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "exact32/exact32.h"
-
-#include <float.h>
-
-#include "clip.h"
+#include "exact32/clip.h"
 
 /// A polygon in the edge's frame, four at a time.
 typedef struct posed_polygon {
@@ -148,13 +144,13 @@ typedef struct reference {
 } reference;
 
 /// The two corners behind both sides; false where less is left.
-static inline bool cut_sides(corner corners[2], const reference *r) {
+static inline bool cut_sides(clip_corner corners[2], const reference *r) {
     const bmr_vec32 other = {-r->side.x, -r->side.y};
     return cut(corners, r->side, dot(r->side, r->first), r->index) &&
            cut(corners, other, dot(other, r->second), r->next);
 }
 
-static inline bool is_within(const corner *c, const reference *r, float radius_sum) {
+static inline bool is_within(const clip_corner *c, const reference *r, float radius_sum) {
     return dot(r->normal, minus(c->v, r->first)) <= radius_sum;
 }
 
@@ -165,7 +161,8 @@ static inline bool clip_polygon(bmr_manifold32 *manifold, const bmr_edge32 *edge
     const int32_t found = facing(p, normal), next = found + 1 < count ? found + 1 : 0;
     if (found >= count)
         return false;
-    corner corners[2] = {corner_of(vertex_at(p, found), found, 0), corner_of(vertex_at(p, next), next, 0)};
+    clip_corner corners[2] = {corner_of(vertex_at(p, found), found, 0),
+                              corner_of(vertex_at(p, next), next, 0)};
     const reference r = {edge->first, edge->second, normal, {-along.x, -along.y}, 0, 1};
     manifold->type = BMR_MANIFOLD_FACE_A;
     if (!cut_sides(corners, &r))
@@ -183,7 +180,7 @@ static inline void clip_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge, i
     const int32_t next = face + 1 < polygon->count ? face + 1 : 0;
     const bmr_feature32 of_second = {1, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE},
                         of_first = {0, (uint8_t)face, BMR_FEATURE_VERTEX, BMR_FEATURE_FACE};
-    corner corners[2] = {{edge->second, of_second}, {edge->first, of_first}};
+    clip_corner corners[2] = {{edge->second, of_second}, {edge->first, of_first}};
     const bmr_vec32 normal = normal_at(p, face);
     const reference r = {vertex_at(p, face), vertex_at(p, next), normal, quarter_right(normal), face, next};
     manifold->type = BMR_MANIFOLD_FACE_B;

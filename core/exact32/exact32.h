@@ -15,8 +15,8 @@ extern "C" {
 /// Separation of two small convex polygons along one edge normal, and how they touch, in float, on plain
 /// arrays. The ORDER of the float operations is the contract: it is that of Box2D 2.4.x's polygon narrow
 /// phase, so the numbers have the same bits as Box2D's own when it was compiled without fused multiply-add.
-/// The scalar form and that in lanes (SSE2, NEON) give the same bits, with two exceptions. A separation of
-/// zero may have another sign, which no comparison sees. A NaN in a manifold may have another payload.
+/// Plain C and lanes (SSE2, NEON) give the same bits, with two exceptions. A separation of zero may have
+/// another sign, which no comparison sees. A NaN in a manifold may have another payload.
 
 typedef struct bmr_vec32 {
     float x, y;
@@ -43,9 +43,6 @@ bmr_transform32 bmr_exact32_relative(const bmr_transform32 *other, const bmr_tra
 /// frame.
 float bmr_exact32_edge_separation(const bmr_polygon32 *reference, int32_t edge, const bmr_polygon32 *other,
                                   const bmr_transform32 *frame);
-/// bmr_exact32_edge_separation, one float after the other: the form in lanes is tested against it.
-float bmr_exact32_edge_separation_scalar(const bmr_polygon32 *reference, int32_t edge,
-                                         const bmr_polygon32 *other, const bmr_transform32 *frame);
 
 /// bmr_exact32_relative and bmr_exact32_edge_separation in one call, with the same bits: the check that is
 /// made most. `vertex` and `normal` are one edge of a polygon posed at `reference`; `points` are `count` (1
@@ -57,9 +54,6 @@ float bmr_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *nor
 /// The largest edge separation over all edges of `reference` and the first edge that has it.
 float bmr_exact32_max_separation(const bmr_polygon32 *reference, const bmr_polygon32 *other,
                                  const bmr_transform32 *frame, int32_t *edge);
-/// bmr_exact32_max_separation in plain C.
-float bmr_exact32_max_separation_scalar(const bmr_polygon32 *reference, const bmr_polygon32 *other,
-                                        const bmr_transform32 *frame, int32_t *edge);
 
 /// What a contact point was made of: the layout of Box2D's b2ContactFeature.
 typedef struct bmr_feature32 {
@@ -113,11 +107,6 @@ typedef struct bmr_edge32 {
 bool bmr_exact32_collide_edge(bmr_manifold32 *manifold, const bmr_edge32 *edge,
                               const bmr_transform32 *pose_edge, const bmr_polygon32 *polygon,
                               bmr_vec32 centroid, const bmr_transform32 *pose, float radius_sum);
-
-// bmr_exact32_collide in plain C.
-int32_t bmr_exact32_collide_scalar(bmr_manifold32 *manifold, const bmr_polygon32 *a,
-                                   const bmr_transform32 *pose_a, const bmr_polygon32 *b,
-                                   const bmr_transform32 *pose_b, float radius_sum, float tolerance);
 
 #ifdef __cplusplus
 }

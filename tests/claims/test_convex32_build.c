@@ -4,9 +4,9 @@
 #include <float.h>
 
 #include "convex32/convex32.h"
-#include "convex32/directions.h"
 #include "convex32_loops.h"
 #include "convex32_poses.h"
+#include "exact32/clip.h"
 #include "polygons.h"
 
 static bmr_vec32 vec(double x, double y) {
@@ -66,7 +66,7 @@ TEST(polygons_have_up_to_65535_vertices) {
     assert_true(bmr_convex32_bytes(BMR_CONVEX32_MOST) <= 40 * (size_t)BMR_CONVEX32_MOST);
     for (int k = 0; k < 200; ++k) {
         const bmr_vec32 d = vec(cos(0.0314 * k), sin(0.0314 * k));
-        assert_true(convex32_dot(block->polygon.vertices[bmr_convex32_support(&block->polygon, d)], d) ==
+        assert_true(dot(block->polygon.vertices[bmr_convex32_support(&block->polygon, d)], d) ==
                     loop_support(&block->polygon, d));
     }
     bmr_convex32_destroy(raw, NULL);

@@ -160,8 +160,6 @@ static size_t compare_small(size_t rounds, posed_form *posed) {
         different += !same(posed(a.vertices + edge, a.normals + edge, &pose_a, b.vertices, b.count, &pose_b),
                            test_plain_exact32_posed_separation(a.vertices + edge, a.normals + edge, &pose_a,
                                                                b.vertices, b.count, &pose_b));
-        different += !same(bmr_exact32_edge_separation(&a, edge, &b, &frame),
-                           test_plain_exact32_edge_separation(&a, edge, &b, &frame));
         int32_t found = -1, plain_found = -1;
         different += !same(bmr_exact32_max_separation(&a, &b, &frame, &found),
                            test_plain_exact32_max_separation(&a, &b, &frame, &plain_found));

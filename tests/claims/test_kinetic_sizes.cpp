@@ -8,7 +8,7 @@
 #include "hierarchy/mixed_cells.h"
 
 extern "C" {
-#include "convex32/scratch.h"
+#include "convex32/build.h"
 #include "geometry/size.h"
 #include "kinetic/simulation_layout.h"
 }
@@ -97,7 +97,7 @@ TEST_CASE("the pairs of a simulation take what they take, or are refused") {
 TEST_CASE("points of a polygon in float take what they take, or are refused") {
     for (const size_t count : kCounts) {
         size_t bytes = 77;
-        const bool fits = bmr_convex32_scratch(count, k32, &bytes);
+        const bool fits = convex32_scratch(count, k32, &bytes);
         CHECK(fits == (32.0L * Long(count) + 16.0L <= Long(k32)));
         CHECK((fits ? bytes == 32 * count + 16 : bytes == 77));
     }

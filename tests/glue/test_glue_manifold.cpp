@@ -72,7 +72,7 @@ bool EdgeIsRight(const Scene &s, int32_t edge, bool leftEarly) {
     const bmr_transform32 frame =
         bmr_exact32_relative(Transform32(ofB ? s.xfA : s.xfB), Transform32(ofB ? s.xfB : s.xfA));
     int32_t largest = 0;
-    const float separation = bmr_exact32_max_separation_scalar(&owner, &other, &frame, &largest);
+    const float separation = bmr_exact32_max_separation(&owner, &other, &frame, &largest);
     return leftEarly && edge - (ofB ? BMR_EDGES_OF_B32 : 0) == largest &&
            separation > s.a.m_radius + s.b.m_radius;
 }
@@ -144,8 +144,8 @@ void Approach(Engine &engine, Scene *s) {
         int32_t edge;
         const bmr_transform32 aInB = bmr_exact32_relative(Transform32(s->xfB), Transform32(s->xfA)),
                               bInA = bmr_exact32_relative(Transform32(s->xfA), Transform32(s->xfB));
-        const float separation = std::fmax(bmr_exact32_max_separation_scalar(&a, &b, &aInB, &edge),
-                                           bmr_exact32_max_separation_scalar(&b, &a, &bInA, &edge));
+        const float separation = std::fmax(bmr_exact32_max_separation(&a, &b, &aInB, &edge),
+                                           bmr_exact32_max_separation(&b, &a, &bInA, &edge));
         s->xfB.p -= separation * way;
     }
     s->xfB.p += UniformF(engine, -0.03, 0.03) * way;
@@ -282,19 +282,17 @@ TEST_CASE("manifolds have the bits of b2CollidePolygons' own, whatever the poses
                   {"far out", FarOut, true},          {"senseless", Senseless, true}};
     for (const auto &maker : makers) {
         INFO(std::string(maker.name));
-        for (const auto collide : {bmr_exact32_collide, bmr_exact32_collide_scalar}) {
-            const Tally t = CompareAll(maker.make, collide, 11, test_scaled(80000));
-            CHECK(t.different == 0);
-            CHECK(t.wrongEdges == 0);
-            // Everything came up that can.
-            const size_t few = t.scenes / 500;
-            CHECK(t.points[1] + t.points[2] > few);
-            CHECK(t.points[2] > few / 4);
-            CHECK(t.points[1] > 0);
-            CHECK(t.faceB > few / 4);
-            CHECK(t.cut > few / 4);
-            CHECK(t.leftEarly > few / 4);
-        }
+        const Tally t = CompareAll(maker.make, bmr_exact32_collide, 11, test_scaled(80000));
+        CHECK(t.different == 0);
+        CHECK(t.wrongEdges == 0);
+        // Everything came up that can.
+        const size_t few = t.scenes / 500;
+        CHECK(t.points[1] + t.points[2] > few);
+        CHECK(t.points[2] > few / 4);
+        CHECK(t.points[1] > 0);
+        CHECK(t.faceB > few / 4);
+        CHECK(t.cut > few / 4);
+        CHECK(t.leftEarly > few / 4);
     }
 }
 
@@ -303,10 +301,10 @@ TEST_CASE("nothing past the count is computed with") {
     // Signalling: any arithmetic with it raises FE_INVALID.
     const uint32_t trapBits = 0x7fa00000u;
     float trap;
-    const auto raises = [](const Scene &s, const Collide &collide) {
+    const auto raises = [](const Scene &s) {
         int32_t edge;
         std::feclearexcept(FE_ALL_EXCEPT);
-        (void)Ours(s, collide, &edge);
+        (void)Ours(s, bmr_exact32_collide, &edge);
         return std::fetestexcept(FE_INVALID) != 0;
     };
     size_t raised = 0, raisedByOneMore = 0;
@@ -319,9 +317,9 @@ TEST_CASE("nothing past the count is computed with") {
                 std::memcpy(&shape->m_vertices[j].y, &trapBits, sizeof trap);
                 std::memcpy(&shape->m_normals[j], &shape->m_vertices[j], sizeof(b2Vec2));
             }
-        raised += raises(s, bmr_exact32_collide) + raises(s, bmr_exact32_collide_scalar);
+        raised += raises(s);
         ++s.a.m_count;
-        raisedByOneMore += raises(s, bmr_exact32_collide);
+        raisedByOneMore += raises(s);
     }
     CHECK(raised == 0);
     CHECK(raisedByOneMore == test_scaled(20000)); // the control
@@ -356,8 +354,8 @@ TEST_CASE("control: manifolds that differ in one rounding, one tie or one featur
         const Collide collide = [&mutant](bmr_manifold32 *m, const bmr_polygon32 *a,
                                           const bmr_transform32 *ta, const bmr_polygon32 *b,
                                           const bmr_transform32 *tb, float radius, float tolerance) {
-            const int32_t edge = bmr_exact32_collide_scalar(m, a, ta, b, tb, radius * mutant.radius,
-                                                            tolerance * mutant.tolerance);
+            const int32_t edge =
+                bmr_exact32_collide(m, a, ta, b, tb, radius * mutant.radius, tolerance * mutant.tolerance);
             mutant.spoil(*m);
             return edge;
         };

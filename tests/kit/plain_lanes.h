@@ -21,8 +21,6 @@ float test_plain_posed32_gap(const bmr_vec32 *a, int32_t count_a, const bmr_tran
 float test_plain_posed32_depth(const bmr_polygon32 *polygon, const bmr_transform32 *at, bmr_vec32 point,
                                float *reach);
 float test_plain_points32_reach(const bmr_vec32 *points, int32_t count);
-float test_plain_exact32_edge_separation(const bmr_polygon32 *reference, int32_t edge,
-                                         const bmr_polygon32 *other, const bmr_transform32 *frame);
 float test_plain_exact32_posed_separation(const bmr_vec32 *vertex, const bmr_vec32 *normal,
                                           const bmr_transform32 *reference, const bmr_vec32 *points,
                                           int32_t count, const bmr_transform32 *other);

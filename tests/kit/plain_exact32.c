@@ -3,9 +3,8 @@
 #include "plain_lanes.h"
 
 #define bmr_exact32_relative test_plain_exact32_relative
-#define bmr_exact32_edge_separation_scalar test_plain_exact32_edge_separation_scalar
-#define bmr_exact32_max_separation_scalar test_plain_exact32_max_separation_scalar
 #define bmr_exact32_edge_separation test_plain_exact32_edge_separation
 #define bmr_exact32_posed_separation test_plain_exact32_posed_separation
 #define bmr_exact32_max_separation test_plain_exact32_max_separation
-#include "exact32/edge_separation.c" // NOLINT(bugprone-suspicious-include): its plain form
+#define bmr_exact32_collide test_plain_exact32_collide
+#include "exact32/exact32.c" // NOLINT(bugprone-suspicious-include): its plain form

@@ -4,4 +4,5 @@
 
 #define bmr_posed32_depth test_plain_posed32_depth
 #define bmr_points32_reach test_plain_points32_reach
-#include "exact32/depth.c" // NOLINT(bugprone-suspicious-include): its plain form
+#define bmr_posed32_gap test_plain_posed32_gap
+#include "exact32/posed.c" // NOLINT(bugprone-suspicious-include): its plain form

@@ -1,6 +1,0 @@
-// SPDX-License-Identifier: MIT
-#define BMR_FLOAT4_PLAIN
-#include "plain_lanes.h"
-
-#define bmr_posed32_gap test_plain_posed32_gap
-#include "exact32/posed_gap.c" // NOLINT(bugprone-suspicious-include): its plain form
