@@ -181,19 +181,6 @@ TEST(a_polygon_beyond_the_range_is_refused) {
     bmr_polygon_destroy(p, NULL);
 }
 
-TEST(each_error_has_its_own_sentence) {
-    for (int i = 0; i < BMR_ERROR_COUNT; ++i) {
-        const char *text = bmr_error_describe((bmr_error)i);
-        assert_non_null(text);
-        assert_true(strlen(text) > 5);
-        assert_int_not_equal(text[strlen(text) - 1], '.');
-        for (int j = 0; j < i; ++j)
-            assert_string_not_equal(text, bmr_error_describe((bmr_error)j));
-    }
-    assert_non_null(bmr_error_describe(BMR_ERROR_COUNT));
-    assert_non_null(bmr_error_describe((bmr_error)12345));
-}
-
 TEST(audit_refuses_wrong_measures) {
     bmr_vec2 points[16];
     test_regular_points(16, 1.0, 0.1, points);

@@ -5,7 +5,7 @@
 #include "motions.h"
 #include "polygons.h"
 
-/// bmr_certificate_check_pair as it is on machines without SSE2 (kit/scalar_check.c).
+/// bmr_certificate_check_pair as it is on machines without SSE2 (kit/plain_lanes.c).
 bmr_check test_scalar_check_pair(const bmr_certificate *certificate, const bmr_pose *b_in_a, int owner,
                                  double margin, double *gap);
 

@@ -4,8 +4,8 @@
 #include <float.h>
 
 #include "convex32/convex32.h"
-#include "convex32_loops.h"
 #include "convex32_poses.h"
+#include "convex32_reference.h"
 #include "exact32/clip.h"
 #include "polygons.h"
 

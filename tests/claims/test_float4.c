@@ -6,8 +6,12 @@
 #include <float.h>
 
 #include "convex32_poses.h"
-#include "float4_table.h"
 #include "plain_lanes.h"
+
+#define FLOAT4_TABLE test_native_float4
+#include "float4_operations.h"
+
+enum { OPERATIONS_IN_ALL = sizeof test_native_float4 / sizeof test_native_float4[0] };
 
 /// The same bits, or both no numbers.
 static bool same(float a, float b) {
@@ -55,8 +59,8 @@ static size_t differences(const float4_operation *one, const float4_operation *o
 }
 
 TEST(every_operation_has_the_bits_of_plain_c) {
-    printf("lanes: %s\n", test_float4_is_native ? "the processor's" : "plain C's");
-    for (int i = 0; i < test_float4_operations; ++i) {
+    printf("lanes: %s\n", BMR_FLOAT4_NATIVE ? "the processor's" : "plain C's");
+    for (int i = 0; i < OPERATIONS_IN_ALL; ++i) {
         const float4_operation *const native = &test_native_float4[i], *const plain = &test_plain_float4[i];
         assert_string_equal(native->name, plain->name);
         const size_t different = differences(native, plain, test_scaled(200000));
@@ -68,8 +72,8 @@ TEST(every_operation_has_the_bits_of_plain_c) {
 
 /// Control: no operation passes for another.
 TEST(every_operation_is_told_from_every_other) {
-    for (int i = 0; i < test_float4_operations; ++i)
-        for (int j = 0; j < test_float4_operations; ++j)
+    for (int i = 0; i < OPERATIONS_IN_ALL; ++i)
+        for (int j = 0; j < OPERATIONS_IN_ALL; ++j)
             if (i != j && differences(&test_native_float4[i], &test_plain_float4[j], 3000) == 0)
                 fail_msg("%s passes for %s", test_native_float4[i].name, test_plain_float4[j].name);
 }
@@ -111,7 +115,7 @@ TEST(near_misses_are_seen) {
         {"sum", sum_in_a_row},   {"div", quotient_by_the_inverse}, {"mul", flushed_product}};
     size_t seen = 0;
     for (size_t w = 0; w < sizeof wrong / sizeof wrong[0]; ++w)
-        for (int i = 0; i < test_float4_operations; ++i)
+        for (int i = 0; i < OPERATIONS_IN_ALL; ++i)
             if (strcmp(test_plain_float4[i].name, wrong[w].name) == 0)
                 seen += differences(&wrong[w], &test_plain_float4[i], 20000) > 0;
     assert_int_equal(seen, sizeof wrong / sizeof wrong[0]);

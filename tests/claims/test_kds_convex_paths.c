@@ -230,8 +230,9 @@ static double events_on(const char *name, const test_chain *c) {
     return run(name, &c->body[0], &c->body[1], &c->path).events;
 }
 
-/// One line that has hysteresis, or takes the most slack, fails at every other edge or more often; the
-/// inflated structures do not, since near the polygon they take the coarsest edge that separates.
+/// Theorem A: one line that has hysteresis costs k/2 - 1 events. It fails at every other edge or more often,
+/// and so does one that takes the most slack; the inflated structures do not, since near the polygon they
+/// take the coarsest edge that separates.
 TEST(a_chain_refutes_the_free_direction_and_spares_the_inflated_ones) {
     static const char *const of_two[] = {"inflated-translation", "inflated-window"};
     static const char *const of_point[] = {"point-inflated-compass", "point-inflated-dudley",

@@ -305,17 +305,6 @@ TEST(a_hierarchy_of_a_polygon_that_is_no_more_is_refused) {
     bmr_polygon_destroy((bmr_polygon *)(uintptr_t)a.polygon, NULL);
 }
 
-TEST(every_structure_is_found_by_its_name_alone) {
-    for (size_t i = 0; i < bmr_kds_count(); ++i) {
-        const bmr_kds_info *info = NULL;
-        assert_int_equal(bmr_kds_find(bmr_kds_at(i)->name, &info), BMR_OK);
-        assert_ptr_equal(info, bmr_kds_at(i));
-        for (size_t j = 0; j < i; ++j)
-            assert_string_not_equal(bmr_kds_at(j)->name, bmr_kds_at(i)->name);
-    }
-    assert_null(bmr_kds_at(bmr_kds_count()));
-}
-
 TEST(a_wrong_name_is_told_with_the_names_there_are) {
     static const char *const wrong[] = {"", "lazy", "lazy-dk", "Lazy-Dudley", "lazy-dudley ", "predict-"};
     const bmr_kds_info *const untouched = bmr_kds_at(3);

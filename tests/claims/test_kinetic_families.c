@@ -109,8 +109,3 @@ TEST(test_least_distance_finds_a_short_approach) {
     }
 }
 
-TEST(test_names_are_found) {
-    assert_int_equal(bmr_family_find("no such"), BMR_FAMILY_COUNT);
-    for (int k = 0; k < BMR_FAMILY_COUNT; k++)
-        assert_int_equal(bmr_family_find(bmr_family_name((bmr_family)k)), k);
-}

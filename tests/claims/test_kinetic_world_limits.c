@@ -18,13 +18,6 @@ static void assert_refused(const stage *s, double until, bmr_trouble kind, bmr_b
     assert_trouble(s, BMR_ERROR_OUT_OF_RANGE, kind, a, b);
 }
 
-TEST(every_trouble_has_its_sentence) {
-    for (int i = 0; i <= BMR_TROUBLE_COUNT; i++)
-        for (int k = 0; k < i; k++)
-            assert_string_not_equal(bmr_trouble_describe((bmr_trouble)i),
-                                    bmr_trouble_describe((bmr_trouble)k));
-}
-
 // ---- walls and boxes ----
 
 /// Only some thousand margins wide, as walls were once, and as wide as a box may be.

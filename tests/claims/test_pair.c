@@ -111,24 +111,6 @@ TEST(a_pair_is_one_cache_line_and_starts_knowing_nothing) {
     assert_true(def.margin == 0.0 && def.hysteresis == 0.0);
 }
 
-TEST(every_name_is_its_own_and_nothing_else_has_one) {
-    FOR_EACH_STRUCTURE(i) {
-        assert_non_null(bmr_structure_name(i));
-        for (bmr_structure j = 0; j < i; ++j)
-            assert_string_not_equal(bmr_structure_name(i), bmr_structure_name(j));
-    }
-    assert_string_equal(bmr_structure_name(BMR_FREE_DIRECTION), "free-direction");
-    assert_string_equal(bmr_structure_name(BMR_TWO_LINES), "two-lines");
-    assert_null(bmr_structure_name(BMR_STRUCTURE_COUNT));
-    assert_null(bmr_structure_name((bmr_structure)77));
-    for (bmr_event_kind i = 0; i < BMR_EVENT_KIND_COUNT; ++i) {
-        assert_non_null(bmr_event_name(i));
-        for (bmr_event_kind j = 0; j < i; ++j)
-            assert_string_not_equal(bmr_event_name(i), bmr_event_name(j));
-    }
-    assert_null(bmr_event_name(BMR_EVENT_KIND_COUNT));
-}
-
 TEST(a_pose_that_is_no_motion_answers_stab_and_does_no_harm) {
     const double bad[][4] = {{NAN, 0, 1, 0},      {0, NAN, 1, 0},       {9, 0, NAN, 0},      {9, 0, 1, NAN},
                              {INFINITY, 0, 1, 0}, {0, -INFINITY, 1, 0}, {9, 0, INFINITY, 0}, {9, 0, 0, 0},

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Included by native_float4.c and plain_float4.c, which say in FLOAT4_TABLE what their table is called.
-#include "float4_table.h"
-
+// The operations of core/exact32/float4.h as functions of arrays, in the form that float4.h has where this is
+// included: test_float4.c has this processor's, plain_lanes.c plain C. FLOAT4_TABLE is the table's name.
 #include "exact32/float4.h"
+
+typedef struct float4_operation {
+    const char *name;
+    /// `count` is from 0 to 8. Of what gives one number, or bits, all of `out` is that.
+    void (*run)(const float a[4], const float b[4], int32_t count, float out[4]);
+} float4_operation;
+
+extern const float4_operation test_native_float4[], test_plain_float4[];
 
 #define OPERATION(name, result)                                                                              \
     static void run_##name(const float first[4], const float second[4], int32_t count, float out[4]) {       \

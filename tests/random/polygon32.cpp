@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "convex32/convex32.h"
-#include "convex32_loops.h"
+#include "convex32_reference.h"
 #include "exact.h"
 #include "fuzz_polygon.h"
 #include "harness.h"
