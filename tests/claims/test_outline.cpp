@@ -502,3 +502,73 @@ TEST_CASE("an outline weighs what its pieces weigh") {
         CHECK(std::hypot(moment.x, moment.y) <= 1e-10 * area);
     }
 }
+
+TEST_CASE("rings that are too short are named, by the edges that were given") {
+    struct Case {
+        std::vector<std::vector<bmr_vec2>> rings;
+        bmr_error error;
+        uint32_t edges[2], ring;
+    };
+    const std::vector<bmr_vec2> square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+    const uint32_t none = BMR_OUTLINE_NONE;
+    const Case cases[] = {
+        {{square, {}}, BMR_ERROR_TOO_FEW_POINTS, {none, none}, 1},
+        {{square, {{1, 1}, {2, 2}}}, BMR_ERROR_TOO_FEW_POINTS, {4, 4}, 1},
+        {{square, {{1, 1}, {2, 2}, {2, 2}}}, BMR_ERROR_TOO_FEW_POINTS, {4, 4}, 1},
+        {{{{0, 0}, {0, 0}, {4, 0}, {4, 4}, {0, 0}}, {{1, 1}}}, BMR_ERROR_TOO_FEW_POINTS, {5, 5}, 1},
+        {{{{0, 0}, {4, 0}, {-0.0, 0.0}}}, BMR_ERROR_TOO_FEW_POINTS, {0, 0}, 0},
+        {{{{0, 0}, {0, 0}, {2, 2}, {2, 2}, {2, 0}, {0, 2}}}, BMR_ERROR_CROSSING_EDGES, {0, 4}, 0},
+        {{{{0, 0}, {4, 0}, {2, 0}}}, BMR_ERROR_OVERLAPPING_EDGES, {0, 2}, 0},
+    };
+    for (const Case &c : cases) {
+        Outline outline;
+        for (const auto &ring : c.rings)
+            outline.Add(ring);
+        const bmr_rings rings = outline.Rings();
+        bmr_outline_fault fault;
+        CHECK(bmr_outline_check(&rings, nullptr, &fault) == c.error);
+        CHECK(fault.error == c.error);
+        CHECK(fault.edge[0] == c.edges[0]);
+        CHECK(fault.edge[1] == c.edges[1]);
+        CHECK(fault.ring[0] == c.ring);
+    }
+}
+
+TEST_CASE("the audit of pieces sees what is falsified") {
+    Outline outline;
+    outline.Add({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+    outline.Add({{1, 1}, {3, 1}, {2, 3}});
+    const bmr_rings rings = outline.Rings();
+    bmr_outline_pieces *pieces = nullptr;
+    REQUIRE(bmr_outline_decompose(&rings, nullptr, nullptr, &pieces, nullptr) == BMR_OK);
+    const std::vector<bmr_outline_edge> edges(pieces->edges, pieces->edges + pieces->edge_count);
+    const std::vector<uint32_t> first(pieces->first, pieces->first + pieces->piece_count + 1);
+    const std::vector<bmr_vec2> points(pieces->points, pieces->points + pieces->point_count);
+    uint32_t inner = 0;
+    while (edges[inner].twin == BMR_OUTLINE_NONE)
+        ++inner;
+    using Edges = std::vector<bmr_outline_edge>;
+    using Firsts = std::vector<uint32_t>;
+    using Points = std::vector<bmr_vec2>;
+    const auto audited = [&](const std::function<void(Edges *, Firsts *, Points *)> &falsify) {
+        Edges e = edges;
+        Firsts f = first;
+        Points p = points;
+        falsify(&e, &f, &p);
+        bmr_outline_pieces falsified = *pieces;
+        falsified.edges = e.data();
+        falsified.first = f.data();
+        falsified.points = p.data();
+        return bmr_outline_pieces_audit(&falsified);
+    };
+    const bmr_error structure = BMR_ERROR_INVALID_STRUCTURE;
+    CHECK(audited([](Edges *, Firsts *, Points *) {}) == BMR_OK);
+    CHECK(audited([](Edges *, Firsts *f, Points *) { f->front() = 1; }) == structure);
+    CHECK(audited([](Edges *, Firsts *f, Points *) { (*f)[1] = 0; }) == structure);
+    CHECK(audited([](Edges *e, Firsts *, Points *) { e->front().point = 7; }) == structure);
+    CHECK(audited([&](Edges *e, Firsts *, Points *) { (*e)[inner].outline = 0; }) == structure);
+    CHECK(audited([&](Edges *e, Firsts *, Points *) { (*e)[inner].twin = inner; }) == structure);
+    CHECK(audited([](Edges *, Firsts *, Points *p) { (*p)[0] = {9, 9}; }) == BMR_ERROR_NOT_CONVEX);
+    CHECK(audited([](Edges *, Firsts *, Points *p) { (*p)[0] = (*p)[1]; }) == BMR_ERROR_NOT_CONVEX);
+    bmr_outline_pieces_destroy(pieces, nullptr);
+}
