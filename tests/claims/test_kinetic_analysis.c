@@ -326,3 +326,56 @@ TEST(test_a_run_keeps_the_first_error_of_its_audits) {
     }
     bmr_adversary_destroy(&adversary, NULL);
 }
+
+// ---- points, contact, and what is refused ----
+
+static const bmr_vec2 square[] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
+
+TEST(one_line_covers_a_point_that_passes_a_point) {
+    const bmr_vec2 origin = {0.0, 0.0};
+    own_polygon *a = made_polygon(&origin, 1), *b = made_polygon(&origin, 1);
+    own_course course = course_past(a, b, -3.0, 1.0, 6.0, 0.0);
+    bmr_optimum optimum;
+    assert_int_equal(bmr_offline_optimum(&course, 1e-3, 0.02, NULL, 0, &optimum), BMR_OK);
+    assert_int_equal(optimum.least, 1);
+    assert_int_equal(optimum.found, 1);
+}
+
+TEST(a_run_into_contact_has_a_distance_of_zero_there) {
+    own_kds_body a = test_kds_body_make(made_polygon(square, 4)),
+                 b = test_kds_body_make(made_polygon(square, 4));
+    own_course course = course_past(a.polygon, b.polygon, 4.0, 0.5, -4.0, 0.0);
+    const bmr_run_def def = {.structure = test_structure("lazy-dudley"),
+                             .shapes = {a.shape, b.shape},
+                             .simulation = bmr_default_simulation_def()};
+    bmr_run run;
+    assert_int_equal(bmr_run_course(&def, &course, 2.0, NULL, &run), BMR_OK);
+    assert_int_equal(run.counts.events[BMR_KDS_CONTACT], 1);
+    assert_true(run.hysteresis.distance == 0.0);
+    // What is no course is refused: its end before its beginning.
+    course.from = 2.0;
+    assert_int_equal(bmr_run_course(&def, &course, 2.0, NULL, &run), BMR_ERROR_OUT_OF_RANGE);
+}
+
+/// At a time this late the next one that a double tells is an eighth of a second on: a hundred metres.
+TEST(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition) {
+    own_polygon *p = made_polygon(square, 4);
+    const double late = 1e15;
+    const bmr_pose from = {{10.0, 0.0}, 1.0, 0.0};
+    own_course course = course_along(p, p, bmr_piece_screw(late, from, bmr_vec2_make(800.0, 0.0), 0.0));
+    course.from = late;
+    course.to = late + 1.0;
+    bmr_clear clear;
+    assert_int_equal(bmr_clear_decomposition(&course, 3.0, 0.0, &clear), BMR_ERROR_OUT_OF_RANGE);
+}
+
+TEST(a_family_of_polygons_that_are_too_far_from_their_origins_is_refused) {
+    // So far from its origin that the distance asked for is below the rounding of its vertices.
+    bmr_vec2 far[4];
+    for (int i = 0; i < 4; i++)
+        far[i] = bmr_vec2_make(square[i].x + 1e5, square[i].y);
+    own_polygon *p = made_polygon(far, 4);
+    const bmr_family_def family = {BMR_FAMILY_LINE, 1e9, 1, 0, 0};
+    bmr_family_motion path;
+    assert_int_equal(bmr_family_create(&family, p, p, NULL, &path), BMR_ERROR_OUT_OF_RANGE);
+}

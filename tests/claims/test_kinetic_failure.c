@@ -115,92 +115,6 @@ TEST(rounding_below_zero_is_zero) {
             }
 }
 
-TEST(a_touch_from_above_is_no_crossing_and_a_crossing_no_touch) {
-    for (int method = 0; method <= BMR_ROOT_GSL; method++)
-        for (int power = -12; power <= -3; power++) {
-            const double depth = pow(10.0, power);
-            // (t - 1)^2 + depth and - depth.
-            const double above[] = {1.0 + depth, -2.0, 1.0}, below[] = {1.0 - depth, -2.0, 1.0};
-            assert_true(isinf(failure_of_polynomial(above, 2, AFTER + 9.0, (bmr_root_method)method)));
-            const double time = failure_of_polynomial(below, 2, AFTER + 9.0, (bmr_root_method)method);
-            const double root = AFTER + 1.0 - sqrt(depth);
-            // The root moves by the rounding of the value over the slope there.
-            assert_true(fabs(time - root) < 2e-12 + 1e-14 / sqrt(depth));
-        }
-}
-
-TEST(a_turning_direction_fails_when_it_turns_past) {
-    const double spins[] = {0.7, -0.7, 5.0, -300.0};
-    for (size_t i = 0; i < sizeof spins / sizeof *spins; i++) {
-        const double spin = spins[i], half = PI / fabs(spin);
-        still = made_motion(bmr_piece_rest(bmr_pose_identity()));
-        moving = made_motion(bmr_piece_screw(AFTER, bmr_pose_identity(), bmr_vec2_make(0.0, 0.0), spin));
-        const bmr_condition k = bmr_condition_turn(0, bmr_vec2_make(1.0, 0.0), bmr_vec2_make(1.0, 0.0), 0);
-        // sin(spin t): zero at the beginning.
-        const double time = failure_of(&k, AFTER, AFTER + 3.0 * half, BMR_ROOT_BERNSTEIN);
-        assert_true(fabs(time - (spin > 0.0 ? AFTER + half : AFTER)) < 5e-12);
-        // From any later zero on likewise.
-        const double next = failure_of(&k, AFTER + half, AFTER + 3.0 * half, BMR_ROOT_BERNSTEIN);
-        assert_true(fabs(next - (spin > 0.0 ? AFTER + half : AFTER + 2.0 * half)) < 5e-12);
-        drop();
-    }
-}
-
-/// 1 + depth - cos(t), nearly or really touching zero at every turn.
-TEST(no_dip_of_a_spinning_point_is_skipped) {
-    for (int power = -11; power <= -2; power++) {
-        const double depth = pow(10.0, power);
-        still = made_motion(bmr_piece_rest(bmr_pose_identity()));
-        moving = made_motion(bmr_piece_screw(AFTER - 1.0, bmr_pose_identity(), bmr_vec2_make(0.0, 0.0), 1.0));
-        bmr_condition k =
-            bmr_condition_beyond(0, bmr_vec2_make(-1.0, 0.0), -1.0 - depth, bmr_vec2_make(1.0, 0.0), 0);
-        assert_true(isinf(failure_of(&k, AFTER, AFTER + 40.0, BMR_ROOT_BERNSTEIN)));
-        k.offset = -1.0 + depth;
-        const double time = failure_of(&k, AFTER, AFTER + 40.0, BMR_ROOT_BERNSTEIN);
-        const double root = AFTER - 1.0 + 2.0 * PI - acos(1.0 - depth);
-        assert_true(fabs(time - root) < 1e-11 + 1e-14 / sqrt(depth));
-        drop();
-    }
-}
-
-TEST(disks_meet_at_the_sum_of_their_radii) {
-    for (int spinning = 0; spinning < 2; spinning++) {
-        still = made_motion(bmr_piece_rest(bmr_pose_identity()));
-        // The centre is off the origin by 1, which is turned away from its way, or turns around it once.
-        moving = made_motion(
-            bmr_piece_screw(0.0, bmr_pose_identity(), bmr_vec2_make(0.0, 0.0), spinning ? 1.0 : 0.0));
-        bmr_condition k = bmr_condition_disks(bmr_vec2_make(-3.0, 0.0), bmr_vec2_make(1.0, 0.0), 2.5, 0);
-        const double time = failure_of(&k, 0.0, 20.0, BMR_ROOT_BERNSTEIN);
-        if (spinning) // |(-3, 0) - (cos, sin)|^2 = 10 + 6 cos = 6.25
-            assert_true(fabs(time - acos((6.25 - 10.0) / 6.0)) < 1e-11);
-        else
-            assert_true(isinf(time));
-        // No distance is less than nothing.
-        k.offset = 0.0;
-        assert_true(isinf(failure_of(&k, 0.0, 20.0, BMR_ROOT_BERNSTEIN)));
-        k.offset = -1.0;
-        assert_true(isinf(failure_of(&k, 0.0, 20.0, BMR_ROOT_BERNSTEIN)));
-        drop();
-    }
-}
-
-TEST(a_jump_into_failure_fails_at_the_jump) {
-    const bmr_condition k = bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 0.0, bmr_vec2_make(0.0, 0.0), 0);
-    for (int spinning = 0; spinning < 2; spinning++) {
-        bmr_pose pose = {{1.0, 0.0}, 1.0, 0.0};
-        still = made_motion(bmr_piece_rest(bmr_pose_identity()));
-        moving = made_motion(bmr_piece_rest(pose));
-        pose.position.x = -1.0;
-        const bmr_motion_piece piece =
-            bmr_piece_screw(2.0, pose, bmr_vec2_make(5.0, 0.0), spinning ? 1.0 : 0.0);
-        assert_int_equal(bmr_motion_change(moving, 2.0, &piece), BMR_OK);
-        assert_true(failure_of(&k, 0.0, 9.0, BMR_ROOT_BERNSTEIN) == 2.0);
-        assert_true(isinf(failure_of(&k, 0.0, 2.0, BMR_ROOT_BERNSTEIN)));
-        assert_true(isinf(failure_of(&k, 3.0, 9.0, BMR_ROOT_BERNSTEIN)));
-        drop();
-    }
-}
-
 /// The product of (t - shift - k/8), k = 1 .. 8, in powers of t.
 static bmr_motion_piece eight_roots(double origin, double shift) {
     bmr_algebraic_piece w = {.degree = 8, .x = {1.0}};
@@ -238,33 +152,6 @@ TEST(eight_roots_are_eight_events) {
             assert_true(far || events == 8);
             drop();
         }
-}
-
-/// Up to there the terms of the path grow by 24 powers of ten.
-TEST(a_root_is_as_exact_where_the_end_of_the_search_is_far) {
-    still = made_motion(bmr_piece_rest(bmr_pose_identity()));
-    moving = made_motion(eight_roots(0.0, 0.0));
-    const bmr_vec2 left = {-1.0, 0.0}, point = {0.0, 0.0};
-    const bmr_condition k = bmr_condition_beyond(0, left, -1.0, point, 0); // the path's x is below 1
-    const double time = failure_of(&k, 0.0, 1e3, BMR_ROOT_BERNSTEIN);
-    double x = 1.0;
-    for (int i = 1; i <= 8; i++)
-        x *= time - i / 8.0;
-    assert_true(fabs(x - 1.0) < 1e-10);
-    drop();
-}
-
-TEST(what_overflows_is_refused_and_nothing_is_in_an_empty_interval) {
-    still = made_motion(bmr_piece_rest(bmr_pose_identity()));
-    moving = made_motion(bmr_piece_screw(0.0, bmr_pose_identity(), bmr_vec2_make(-1.0, 0.0), 0.0));
-    bmr_condition k = bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), -1.0, bmr_vec2_make(0.0, 0.0), 0);
-    const bmr_failure_options options = bmr_default_failure_options();
-    double time = 42.0;
-    assert_int_equal(bmr_failure_time(&k, still, moving, 5.0, 5.0, &options, &time), BMR_OK);
-    assert_true(isinf(time));
-    k.offset = k.normal.x = k.point.x = 1e200;
-    assert_int_equal(bmr_failure_time(&k, still, moving, 0.0, 9.0, &options, &time), BMR_ERROR_NOT_FINITE);
-    drop();
 }
 
 // --- the highest degrees ---

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
+// First roots of polynomials, by GSL and by subdivision; and the queue of events against brute force.
 #include <float.h>
 
 #include "checks.h"
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_rng.h>
 #include <pthread.h>
 
 #include "boomerang/motion.h"
+#include "kinetic/bernstein.h"
+#include "kinetic/event_queue.h"
 #include "kinetic/first_root.h"
+#include "polygons.h"
 
 #define ROOT_TOLERANCE 1e-9
 
@@ -36,25 +39,43 @@ static double first_root(const double *coefficients, size_t degree, double from,
     return root;
 }
 
-TEST(the_first_of_known_roots_is_found) {
-    const double roots[] = {0.75, -0.5, 0.25, 2.0};
-    double c[5];
-    expand(roots, 4, c);
-    assert_true(fabs(first_root(c, 4, -1.0, 1.0) + 0.5) < ROOT_TOLERANCE);
-    assert_true(fabs(first_root(c, 4, 0.0, 1.0) - 0.25) < ROOT_TOLERANCE);
-    assert_true(fabs(first_root(c, 4, 0.5, 3.0) - 0.75) < ROOT_TOLERANCE);
-    assert_true(fabs(first_root(c, 4, 1.0, 3.0) - 2.0) < ROOT_TOLERANCE);
-    assert_true(isinf(first_root(c, 4, 1.0, 1.5)));
-}
-
-TEST(ends_of_the_interval_belong_to_it) {
-    const double line[] = {-0.25, 1.0};
-    assert_true(first_root(line, 1, 0.25, 9.0) == 0.25);
-    assert_true(first_root(line, 1, -9.0, 0.25) == 0.25);
-    assert_true(first_root(line, 1, 0.25, 0.25) == 0.25);
-    // The control: a little beside it there is none.
-    assert_true(isinf(first_root(line, 1, 0.2500001, 9.0)));
-    assert_true(isinf(first_root(line, 1, -9.0, 0.2499999)));
+TEST(the_first_of_known_roots_is_found_and_the_ends_belong_to_the_interval) {
+    const double none = (double)INFINITY, third = cbrt(0.5);
+    const struct {
+        size_t degree;
+        double c[5], from, to, root;
+    } cases[] = {{4,
+                  {0.1875, -0.71875, -0.6875, 2.5, -1.0},
+                  -1.0,
+                  1.0,
+                  -0.5}, // -(t - 3/4) (t + 1/2) (t - 1/4) (t - 2)
+                 {4, {0.1875, -0.71875, -0.6875, 2.5, -1.0}, 0.0, 1.0, 0.25},
+                 {4, {0.1875, -0.71875, -0.6875, 2.5, -1.0}, 0.5, 3.0, 0.75},
+                 {4, {0.1875, -0.71875, -0.6875, 2.5, -1.0}, 1.0, 3.0, 2.0},
+                 {4, {0.1875, -0.71875, -0.6875, 2.5, -1.0}, 1.0, 1.5, none},
+                 {1, {-0.25, 1.0}, 0.25, 9.0, 0.25},
+                 {1, {-0.25, 1.0}, -9.0, 0.25, 0.25},
+                 {1, {-0.25, 1.0}, 0.25, 0.25, 0.25},
+                 {1, {-0.25, 1.0}, 0.2500001, 9.0, none},
+                 {1, {-0.25, 1.0}, -9.0, 0.2499999, none},
+                 {2, {1.0, 0.0, 1.0}, -100.0, 100.0, none},
+                 {4, {1.0, 0.0, 0.0, 0.0, 1.0}, -100.0, 100.0, none},
+                 {2, {0.0}, 3.0, 4.0, 3.0}, // zero everywhere
+                 {0, {0.0}, 3.0, 4.0, 3.0},
+                 {2, {-2.0}, 3.0, 4.0, none},
+                 {0, {-2.0}, 3.0, 4.0, none},
+                 {4, {-0.5, 1.0, 0.0, 0.0, 1e-300}, 0.0, 1.0, 0.5}, // the leading term means nothing here
+                 {3, {-0.5e308, 0.0, 0.0, 1e308}, 0.0, 1.0, third},
+                 {3, {-0.5e-300, 0.0, 0.0, 1e-300}, 0.0, 1.0, third},
+                 {3, {-1e300, 0.0, 0.0, 1.0}, 0.0, 1e150, 1e100},
+                 {3, {-1e300, 0.0, 0.0, 1.0}, -1.0, 1.0, none},
+                 {3, {0.0, 1.0, 1.0, 1.0}, 0.0, 0.0, 0.0}};
+    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
+        const double found = first_root(cases[i].c, cases[i].degree, cases[i].from, cases[i].to),
+                     root = cases[i].root;
+        if (!(found == root || fabs(found - root) <= ROOT_TOLERANCE * fmax(1.0, fabs(root))))
+            fail_msg("case %zu: %.17g is not %.17g", i, found, root);
+    }
 }
 
 TEST(a_polynomial_that_only_touches_zero_counts) {
@@ -69,37 +90,6 @@ TEST(a_polynomial_that_only_touches_zero_counts) {
         c[0] = lifted + 1e-6;
         assert_true(isinf(first_root(c, multiplicity + 2, 0.0, 1.0)));
     }
-}
-
-TEST(no_real_root_is_no_root) {
-    const double square_plus_one[] = {1.0, 0.0, 1.0};
-    assert_true(isinf(first_root(square_plus_one, 2, -100.0, 100.0)));
-    const double fourth[] = {1.0, 0.0, 0.0, 0.0, 1.0};
-    assert_true(isinf(first_root(fourth, 4, -100.0, 100.0)));
-}
-
-TEST(constants_and_the_zero_polynomial_are_legal) {
-    const double zeros[] = {0.0, 0.0, 0.0}, constant[] = {-2.0, 0.0, 0.0};
-    assert_true(first_root(zeros, 2, 3.0, 4.0) == 3.0);
-    assert_true(first_root(zeros, 0, 3.0, 4.0) == 3.0);
-    assert_true(isinf(first_root(constant, 2, 3.0, 4.0)));
-    assert_true(isinf(first_root(constant, 0, 3.0, 4.0)));
-}
-
-TEST(extreme_coefficients_neither_hang_nor_overflow) {
-    // 1e-300 t^4 + t - 0.5: the leading term means nothing here.
-    const double tiny_leader[] = {-0.5, 1.0, 0.0, 0.0, 1e-300};
-    assert_true(fabs(first_root(tiny_leader, 4, 0.0, 1.0) - 0.5) < ROOT_TOLERANCE);
-    const double huge[] = {-0.5e308, 0.0, 0.0, 1e308};
-    assert_true(fabs(first_root(huge, 3, 0.0, 1.0) - cbrt(0.5)) < ROOT_TOLERANCE);
-    const double small[] = {-0.5e-300, 0.0, 0.0, 1e-300};
-    assert_true(fabs(first_root(small, 3, 0.0, 1.0) - cbrt(0.5)) < ROOT_TOLERANCE);
-    // t^3 - 1e300 on a wide interval, and around zero alone.
-    const double wide[] = {-1e300, 0.0, 0.0, 1.0};
-    assert_true(fabs(first_root(wide, 3, 0.0, 1e150) / 1e100 - 1.0) < ROOT_TOLERANCE);
-    assert_true(isinf(first_root(wide, 3, -1.0, 1.0)));
-    const double at_zero[] = {0.0, 1.0, 1.0, 1.0};
-    assert_true(first_root(at_zero, 3, 0.0, 0.0) == 0.0);
 }
 
 /// The reference: the first change of sign over a fine grid, by no other means than evaluating. INFINITY if
@@ -117,16 +107,16 @@ static double first_sign_change(const double *c, size_t degree, double from, dou
 }
 
 TEST(no_change_of_sign_is_passed_over) {
-    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-    gsl_rng_set(rng, 20240229);
+    test_random random = {20240229};
     const size_t trials = test_scaled(4000), cells = 512;
     size_t with_root = 0, without = 0, later = 0;
     for (size_t trial = 0; trial < trials; ++trial) {
-        const size_t degree = 1 + gsl_rng_uniform_int(rng, 10);
+        const size_t degree = 1 + test_random_below(&random, 10);
         double c[11];
         for (size_t k = 0; k <= degree; ++k)
-            c[k] = 2.0 * gsl_rng_uniform(rng) - 1.0;
-        const double from = -2.0 * gsl_rng_uniform(rng), to = 2.0 * gsl_rng_uniform(rng);
+            c[k] = test_random_uniform(&random, -1.0, 1.0);
+        const double from = test_random_uniform(&random, -2.0, 0.0),
+                     to = test_random_uniform(&random, 0.0, 2.0);
         const double found = first_root(c, degree, from, to);
         const double change = first_sign_change(c, degree, from, to, cells);
         // The first root lies at or before the first change that a grid sees.
@@ -145,7 +135,6 @@ TEST(no_change_of_sign_is_passed_over) {
         }
     }
     assert_true(with_root > trials / 10 && without > trials / 10 && later > trials / 100);
-    gsl_rng_free(rng);
 }
 
 static int handler_calls = 0;
@@ -185,4 +174,43 @@ TEST(calls_on_many_threads_keep_the_handler) {
     }
     assert_true(gsl_set_error_handler(before) == counting_handler);
     assert_int_equal(handler_calls, 0);
+}
+
+// ---- parts of other searches ----
+
+TEST(roots_nearer_than_the_tolerance_are_one) {
+    // -(u - r) (u - r - e) (u - r + e), three roots closer than a part can be told: found, not counted.
+    const double r = 0.3, e = 1e-7, c[] = {r * r * r - r * e * e, e * e - 3.0 * r * r, 3.0 * r, -1.0};
+    double low = -1.0;
+    assert_true(bmr_bernstein_first_root(c, 3, 0.0, 1e-4, &low));
+    assert_true(low <= r && low + 1e-4 >= r - e);
+    // It touches zero and never is below: with no noise asked for, the parts at the touch are too short in
+    // the end.
+    const double touch[] = {0.09, -0.6, 1.0};
+    assert_false(bmr_bernstein_first_root(touch, 2, 0.0, 1e-4, &low));
+    // The control: lowered a little, it has a root.
+    const double lowered[] = {0.09 - 1e-4, -0.6, 1.0};
+    assert_true(bmr_bernstein_first_root(lowered, 2, 0.0, 1e-4, &low));
+    assert_true(fabs(low - 0.29) < 1e-3);
+}
+
+#define ITEMS 13
+
+TEST(the_queue_has_the_earliest_on_top_however_times_change) {
+    double times[ITEMS];
+    size_t order[ITEMS], place[ITEMS];
+    bmr_event_queue queue = {times, order, place, ITEMS};
+    bmr_event_queue_init(&queue);
+    assert_true(bmr_event_queue_time(&queue) == INFINITY);
+    test_random random = {5};
+    for (int round = 0; round < 2000; round++) {
+        const size_t item = (size_t)test_random_below(&random, ITEMS);
+        bmr_event_queue_set(&queue, item, (double)test_random_below(&random, 40)); // ties, too
+        size_t first = 0;
+        for (size_t i = 1; i < ITEMS; i++)
+            if (times[i] < times[first])
+                first = i;
+        assert_int_equal(bmr_event_queue_first(&queue), first);
+        assert_true(bmr_event_queue_time(&queue) == times[first]);
+    }
 }
