@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Polygons from raw bytes. Whatever is accepted is what the header promises, by rational arithmetic; whatever
 // is refused has the reason that is given; what is asked of it is what a loop over all vertices finds.
-#include "fuzz_polygon.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "boomerang/polygon.h"
+#include "bytes.h"
 #include "exact.h"
 #include "geometry/predicates.h"
 #include "harness.h"
@@ -235,6 +235,9 @@ void FuzzDouble(fuzz_bytes *bytes) {
 }
 
 } // namespace
+
+/// The half that makes and asks the plugin's polygons in float (convex32.h): polygon32.cpp.
+void FuzzPolygon32(fuzz_bytes *bytes);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fuzz_bytes bytes = fuzz_bytes_make(data, size);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include "bytes.h"
 #include "convex32/convex32.h"
 #include "convex32_reference.h"
 #include "exact.h"
-#include "fuzz_polygon.h"
 #include "harness.h"
 #include "points.h"
 
@@ -305,6 +305,8 @@ void CheckFewer(const bmr_convex32_block *block, fuzz_bytes *bytes) {
 }
 
 } // namespace
+
+void FuzzPolygon32(fuzz_bytes *bytes); // of fuzz_polygon.cpp
 
 void FuzzPolygon32(fuzz_bytes *bytes) {
     const uint8_t first = fuzz_u8(bytes), questions = first % 16;
