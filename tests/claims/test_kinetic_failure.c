@@ -8,7 +8,7 @@
 #include "checks.h"
 #include "failure_oracle.h"
 #include "kinetic/failure_start.h"
-#include "motion_pieces.h"
+#include "motions.h"
 #include "polygons.h"
 
 #define PI 3.14159265358979323846

@@ -5,7 +5,7 @@
 #include "boomerang/simulation.h"
 #include "checks.h"
 #include "kds_driver.h"
-#include "motion_pieces.h"
+#include "motions.h"
 
 static bmr_motion_piece screw(double origin, double x, double velocity_y, double spin) {
     bmr_pose pose = bmr_pose_identity();

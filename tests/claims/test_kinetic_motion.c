@@ -4,7 +4,7 @@
 #include "boomerang/motion.h"
 #include "checks.h"
 #include "kinetic/piece.h"
-#include "motion_pieces.h"
+#include "motions.h"
 #include "polygons.h"
 
 #define PI 3.14159265358979323846

@@ -6,7 +6,7 @@
 #include "checks.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
-#include "motion_pieces.h"
+#include "motions.h"
 
 #define PI 3.14159265358979323846
 #define MOST_VERTICES 2048

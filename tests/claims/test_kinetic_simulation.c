@@ -7,7 +7,6 @@
 #include "failing_allocator.h"
 #include "kds/structure.h"
 #include "kds_driver.h"
-#include "motion_pieces.h"
 #include "motions.h"
 
 #define PI 3.14159265358979323846

@@ -5,7 +5,6 @@
 #include "boomerang/time_of_contact.h"
 #include "boomerang/world.h"
 #include "checks.h"
-#include "motion_pieces.h"
 #include "motions.h"
 #include "polygons.h"
 

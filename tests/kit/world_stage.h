@@ -4,7 +4,7 @@
 
 #include "boomerang/world.h"
 #include "checks.h"
-#include "motion_pieces.h"
+#include "motions.h"
 #include "polygons.h"
 
 /// @file

@@ -8,7 +8,7 @@
 #include "boomerang/simulation.h"
 #include "harness.h"
 #include "kds_driver.h"
-#include "motion_pieces.h"
+#include "motions.h"
 #include "paths.h"
 #include "points.h"
 #include "polygon_distance.h"
