@@ -8,7 +8,6 @@
 #include "analysis/family_paths.h"
 #include "analysis/random.h"
 #include "geometry/memory.h"
-#include "geometry/size.h"
 
 #define PI 3.14159265358979323846
 /// The separation measured is within this part of sigma when the search ends ..

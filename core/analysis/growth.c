@@ -5,7 +5,7 @@
 #include <gsl/gsl_fit.h>
 
 #include "boomerang/analysis.h"
-#include "kinetic/gsl_guard.h"
+#include "kinetic/roots.h"
 
 /// Of a two-sided 95 % interval.
 #define QUANTILE 0.975

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/random.h"
 
-#include "kinetic/gsl_guard.h"
+#include "kinetic/roots.h"
 
 gsl_rng *bmr_random_create(uint64_t seed) {
     bmr_gsl_guard_enter();

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "geometry/tiny.h"
-#include "geometry/vertex.h"
+#include "geometry/distance.h"
+#include "geometry/length.h"
 
 /// No tangent is turned farther than this (75 degrees) in one go, so that any bracket stays well below 180.
 #define WIDEST_COSINE 0.25881904510252074

@@ -7,7 +7,7 @@
 #include "boomerang/vector.h"
 #include "convex32/convex32.h"
 #include "convex32/directions.h"
-#include "geometry/size.h"
+#include "geometry/memory.h"
 
 /// @file
 /// What polygons of any size (build.c), pieces of outlines (pieces.c) and choices of their vertices

@@ -4,8 +4,8 @@
 
 #include "boomerang/hierarchy.h"
 #include "convex32/build.h"
+#include "geometry/distance.h"
 #include "geometry/memory.h"
-#include "geometry/vertex.h"
 
 #define MOST_INNER 8u
 

@@ -21,8 +21,6 @@
 #include "boomerang/distance.h"
 #include "geometry/distance.h"
 #include "geometry/length.h"
-#include "geometry/posed_polygons.h"
-#include "geometry/vertex.h"
 
 /// The sine of an angle by which rounding may turn the end of an edge beyond the line that it is behind.
 #define ROUNDING 4e-15
@@ -33,6 +31,13 @@
 
 /// From 45 degrees to less than the rounding of a unit vector.
 #define HALVINGS 53
+
+/// B as A sees it. All computing is done in A's frame; the answers go to the world at the end.
+typedef struct posed_polygons {
+    const bmr_polygon *a, *b;
+    bmr_pose pose_a; ///< with (c, s) of unit length
+    bmr_pose b_in_a;
+} posed_polygons;
 
 /// A polygon as A sees it.
 typedef struct side {
@@ -148,7 +153,7 @@ static uint32_t neighbour(const bmr_polygon *polygon, uint32_t i, int at) {
 
 /// The closest points around two vertices, and around those that they lead to, each pair nearer than the one
 /// before. False: they are not found, which is so where the polygons overlap.
-static bool settle(const bmr_posed_polygons *q, uint32_t i, uint32_t j, unsigned *steps, nearest *found) {
+static bool settle(const posed_polygons *q, uint32_t i, uint32_t j, unsigned *steps, nearest *found) {
     const side a = {q->a, NULL}, b = {q->b, &q->b_in_a};
     double square = INFINITY;
     for (int step = 0; step < SETTLING_STEPS; ++step, ++*steps) {
@@ -176,22 +181,22 @@ typedef struct arc {
     bmr_vec2 low, high; ///< unit vectors, `high` counter-clockwise of `low`
 } arc;
 
-static uint32_t support_a(const bmr_posed_polygons *q, bmr_vec2 u, unsigned *steps) {
+static uint32_t support_a(const posed_polygons *q, bmr_vec2 u, unsigned *steps) {
     return bmr_support_counted(q->a, u, steps);
 }
 
-static uint32_t support_b(const bmr_posed_polygons *q, bmr_vec2 u, unsigned *steps) {
+static uint32_t support_b(const posed_polygons *q, bmr_vec2 u, unsigned *steps) {
     return bmr_support_counted(q->b, bmr_unrotate(&q->b_in_a, bmr_neg(u)), steps);
 }
 
 /// w(u).
-static bmr_vec2 difference(const bmr_posed_polygons *q, bmr_vec2 u, unsigned *steps) {
+static bmr_vec2 difference(const posed_polygons *q, bmr_vec2 u, unsigned *steps) {
     return bmr_sub(bmr_transform(&q->b_in_a, q->b->vertices[support_b(q, u, steps)]),
                    q->a->vertices[support_a(q, u, steps)]);
 }
 
 /// An arc of at most 45 degrees that holds u*, if there is one.
-static arc narrow(const bmr_posed_polygons *q, unsigned *steps) {
+static arc narrow(const posed_polygons *q, unsigned *steps) {
     const bmr_vec2 start = unit(bmr_sub(bmr_transform(&q->b_in_a, q->b->center), q->a->center));
     const bmr_vec2 w = difference(q, start, steps), right = unit(bmr_vec2_make(w.y, -w.x));
     arc found = {right, bmr_neg(right)}; // within 90 degrees of w
@@ -218,7 +223,7 @@ static arc narrow(const bmr_posed_polygons *q, unsigned *steps) {
 
 /// The closest points in the vertices farthest at both ends of an arc that is halved until nothing is left of
 /// it. False: no direction met on the way separates the polygons.
-static bool halve(const bmr_posed_polygons *q, unsigned *steps, nearest *found) {
+static bool halve(const posed_polygons *q, unsigned *steps, nearest *found) {
     const side a = {q->a, NULL}, b = {q->b, &q->b_in_a};
     arc directions = narrow(q, steps);
     bool apart = false;
@@ -247,7 +252,8 @@ static bool halve(const bmr_posed_polygons *q, unsigned *steps, nearest *found) 
     return apart;
 }
 
-bool bmr_posed_polygons_closest(const bmr_posed_polygons *q, unsigned *steps, bmr_closest_points *closest) {
+/// The closest points. False: the polygons overlap or touch, and *closest is untouched.
+static bool find_closest(const posed_polygons *q, unsigned *steps, bmr_closest_points *closest) {
     const bmr_simplex anywhere = bmr_simplex_make(0, 0);
     bmr_simplex start;
     nearest found;
@@ -266,15 +272,126 @@ bool bmr_posed_polygons_closest(const bmr_posed_polygons *q, unsigned *steps, bm
     return true;
 }
 
-bmr_error bmr_distance(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
-                       const bmr_pose *pose_b, bmr_closest_points *closest) {
-    bmr_posed_polygons q;
-    const bmr_error error = bmr_posed_polygons_make(a, pose_a, b, pose_b, closest, &q);
+// ---- the two queries ----
+
+/// The pose with a rotation of unit length; NULL is the identity.
+static bmr_error unit_pose(const bmr_pose *pose, bmr_pose *unit) {
+    *unit = pose ? *pose : bmr_pose_identity();
+    const double x = unit->position.x, y = unit->position.y, c = unit->c, s = unit->s;
+    if (!isfinite(x) || !isfinite(y) || !isfinite(c) || !isfinite(s))
+        return BMR_ERROR_NOT_FINITE;
+    const double square = c * c + s * s;
+    if (!(fabs(square - 1.0) <= BMR_DISTANCE_UNIT) || !(fmax(fabs(x), fabs(y)) <= BMR_MAX_COORDINATE))
+        return BMR_ERROR_OUT_OF_RANGE;
+    const double length = sqrt(square);
+    unit->c /= length;
+    unit->s /= length;
+    return BMR_OK;
+}
+
+/// Checks the arguments of both queries, of the pointer to the answer only that there is one. An error leaves
+/// *posed untouched.
+static bmr_error pose_both(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
+                           const bmr_pose *pose_b, const void *answer, posed_polygons *posed) {
+    if (!a || !b || !answer)
+        return BMR_ERROR_NULL_ARGUMENT;
+    bmr_pose unit_a, unit_b;
+    bmr_error error = unit_pose(pose_a, &unit_a);
+    if (error == BMR_OK)
+        error = unit_pose(pose_b, &unit_b);
+    if (error != BMR_OK)
+        return error;
+    const posed_polygons made = {a, b, unit_a, bmr_pose_relative(&unit_a, &unit_b)};
+    *posed = made;
+    return BMR_OK;
+}
+
+bmr_error bmr_distance_counted(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
+                               const bmr_pose *pose_b, bmr_closest_points *closest, unsigned *steps) {
+    posed_polygons q;
+    const bmr_error error = pose_both(a, pose_a, b, pose_b, closest, &q);
     if (error != BMR_OK)
         return error;
     bmr_closest_points found = {0.0, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
-    unsigned steps = 0;
-    bmr_posed_polygons_closest(&q, &steps, &found);
+    find_closest(&q, steps, &found);
     *closest = found;
+    return BMR_OK;
+}
+
+bmr_error bmr_distance(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
+                       const bmr_pose *pose_b, bmr_closest_points *closest) {
+    unsigned unused = 0;
+    return bmr_distance_counted(a, pose_a, b, pose_b, closest, &unused);
+}
+
+// ---- penetration ----
+//
+// B - A is a convex polygon whose edges have the normals of A's edges and of B's, and the shortest way out of
+// it is across one of its edges.
+//
+// All edges are looked at, and no search by halves can do without. Where polygons are apart, the separation
+// along a direction has one largest value, and what is downhill is left out. Inside, it has a smallest value
+// for each edge that is nearer than its neighbours, and a regular polygon with a point at its centre has n of
+// them, all equal. The levels of a hierarchy do not tell them apart either: every chain of edges there has
+// the same bound as every other.
+
+/// The best edge so far.
+typedef struct facing {
+    double separation; ///< of the other polygon from the edge's line; < 0: it is beyond it
+    bmr_vec2 normal;   ///< the edge's, outwards, its polygon's frame
+    bmr_vec2 nearest;  ///< the other polygon's vertex that is deepest, the same frame
+} facing;
+
+/// Goes through the edges of `own`; the other polygon's deepest vertex moves along with them.
+static facing best_side(const bmr_polygon *own, const bmr_polygon *other, const bmr_pose *other_in_own) {
+    facing best = {-INFINITY, {0.0, 0.0}, {0.0, 0.0}};
+    uint32_t deepest = 0;
+    for (uint32_t i = 0; own->count > 1 && i < own->count; ++i) {
+        const bmr_vec2 normal = bmr_polygon_normal(own, i);
+        deepest = bmr_polygon_support_from(other, bmr_unrotate(other_in_own, bmr_neg(normal)), deepest);
+        const bmr_vec2 deep = bmr_transform(other_in_own, other->vertices[deepest]);
+        const double separation = bmr_dot(normal, bmr_sub(deep, own->vertices[i]));
+        if (separation > best.separation) {
+            const facing found = {separation, normal, deep};
+            best = found;
+        }
+    }
+    return best;
+}
+
+bmr_error bmr_penetration(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
+                          const bmr_pose *pose_b, bmr_overlap *overlap) {
+    posed_polygons q;
+    const bmr_error error = pose_both(a, pose_a, b, pose_b, overlap, &q);
+    if (error != BMR_OK)
+        return error;
+    const bmr_overlap none = {0.0, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
+    *overlap = none;
+    bmr_closest_points closest;
+    unsigned steps = 0;
+    if (find_closest(&q, &steps, &closest))
+        return BMR_OK;
+    const bmr_pose a_in_b = bmr_pose_inverse(&q.b_in_a);
+    const facing of_a = best_side(a, b, &q.b_in_a), of_b = best_side(b, a, &a_in_b);
+    bmr_vec2 normal, point_a, point_b; // in A's frame
+    if (of_a.separation >= of_b.separation) {
+        overlap->depth = fmax(0.0, -of_a.separation);
+        normal = of_a.normal;
+        point_b = of_a.nearest;
+        point_a = bmr_add(point_b, bmr_scale(overlap->depth, normal));
+    } else {
+        overlap->depth = fmax(0.0, -of_b.separation);
+        normal = bmr_neg(bmr_rotate(&q.b_in_a, of_b.normal));
+        point_a = bmr_transform(&q.b_in_a, of_b.nearest);
+        point_b = bmr_sub(point_a, bmr_scale(overlap->depth, normal));
+    }
+    if (a->count == 1 && b->count == 1) { // no edge at all
+        overlap->depth = 0.0;
+        normal = bmr_vec2_make(0.0, 0.0);
+        point_a = point_b = a->vertices[0];
+    }
+    overlap->normal = bmr_rotate(&q.pose_a, normal);
+    overlap->point_a = bmr_transform(&q.pose_a, point_a);
+    overlap->point_b = bmr_transform(&q.pose_a, point_b);
     return BMR_OK;
 }

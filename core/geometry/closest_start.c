@@ -17,7 +17,7 @@
 #include <math.h>
 
 #include "geometry/distance.h"
-#include "geometry/tiny.h"
+#include "geometry/length.h"
 
 /// An arc of less than this (radians) has no edge's normal in it that rounding could tell from its ends.
 #define LEAST_ARC 1e-14

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "geometry/tiny.h"
+#include "geometry/length.h"
 
 /// Steps of a climb before it gives way to the binary search, which costs about as much as this many.
 #define CLIMB_STEPS 12

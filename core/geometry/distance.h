@@ -2,7 +2,11 @@
 #ifndef BMR_GEOMETRY_DISTANCE_H
 #define BMR_GEOMETRY_DISTANCE_H
 
-#include "boomerang/polygon.h"
+#include "boomerang/distance.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /// `steps` below: increased by one for every vertex or edge that is looked at. That is the one unit in which
 /// the library counts what a search costs.
@@ -58,4 +62,19 @@ bool bmr_closest_direction(const bmr_polygon *a, const bmr_polygon *b, const bmr
 bool bmr_closest_start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a,
                        const bmr_simplex *near, bmr_simplex *start);
 
+/// The vertex that follows another counter-clockwise, and the one that precedes it.
+static inline uint32_t bmr_vertex_after(const bmr_polygon *p, uint32_t i) {
+    return i + 1 < p->count ? i + 1 : 0;
+}
+static inline uint32_t bmr_vertex_before(const bmr_polygon *p, uint32_t i) {
+    return i > 0 ? i - 1 : p->count - 1;
+}
+
+/// As bmr_distance.
+bmr_error bmr_distance_counted(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
+                               const bmr_pose *pose_b, bmr_closest_points *closest, unsigned *steps);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

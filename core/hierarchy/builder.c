@@ -4,8 +4,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "geometry/distance.h"
 #include "geometry/memory.h"
-#include "geometry/vertex.h"
 
 uint32_t bmr_ceil_log2(uint32_t n) {
     uint32_t k = 0;

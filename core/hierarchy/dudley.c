@@ -2,8 +2,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "geometry/distance.h"
 #include "geometry/memory.h"
-#include "geometry/vertex.h"
 #include "hierarchy/builder.h"
 
 #define FULL_TURN 6.28318530717958647693

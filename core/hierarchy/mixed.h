@@ -96,4 +96,11 @@ static inline uint32_t bmr_mixed_most_steps(const bmr_mixed *mixed) {
                        bmr_hierarchy_edge_count(mixed->hierarchies[1]));
 }
 
+// ---- a tiling in a block of the caller's ----
+
+/// Bytes that are enough for the two hierarchies' tiling at any rotation. O(n + m).
+size_t bmr_mixed_tiling_most_bytes(const bmr_hierarchy *a, const bmr_hierarchy *b);
+/// Builds the tiling of `mixed` in a block of that many bytes, aligned for any type.
+void bmr_mixed_tiling_build(bmr_mixed_tiling *tiling, const bmr_mixed *mixed, size_t bytes);
+
 #endif

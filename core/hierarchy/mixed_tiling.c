@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The mixed hierarchy written out: all cells of one rotation, each with its neighbours.
-#include "hierarchy/mixed_tiling.h"
 
 #include <string.h>
 

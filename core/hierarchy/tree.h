@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "boomerang/hierarchy.h"
-#include "geometry/tiny.h"
+#include "geometry/length.h"
 
 /// @file
 /// How a hierarchy lies in memory: what its queries, builders and audit share.

@@ -20,7 +20,6 @@
 #include <math.h>
 
 #include "hierarchy/mixed.h"
-#include "hierarchy/mixed_tiling.h"
 #include "kds/failing.h"
 #include "kds/held_cell.h"
 #include "kds/registry.h"

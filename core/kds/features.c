@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "geometry/length.h"
-#include "geometry/tiny.h"
 #include "kds/failing.h"
 
 /// Each Voronoi region is taken to be this much wider than it is, in parts of the extents: a few thousand

@@ -2,7 +2,7 @@
 #ifndef BMR_KDS_FEATURES_H
 #define BMR_KDS_FEATURES_H
 
-#include "geometry/vertex.h"
+#include "geometry/distance.h"
 #include "kds/structure.h"
 #include "kds/windowed_line.h"
 

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "geometry/distance.h"
-#include "geometry/tiny.h"
+#include "geometry/length.h"
 #include "kds/failing.h"
 
 /// A direction counts as inside of a bracket when the sines of its angles to both ends are larger than this.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kinetic/condition_polynomial.h"
+#include "kinetic/failure.h"
 
 #include <float.h>
 #include <math.h>

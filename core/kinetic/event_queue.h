@@ -2,27 +2,47 @@
 #ifndef BMR_KINETIC_EVENT_QUEUE_H
 #define BMR_KINETIC_EVENT_QUEUE_H
 
+#include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
+
+#include "boomerang/allocator.h"
+#include "boomerang/error.h"
 
 /// @file
-/// A binary heap of items 0 .. count-1, each with one time, the earliest on top; ties by item. The caller
-/// owns the three arrays of `count`.
+/// A queue of events: a binary heap of items, each with one time, the earliest on top. An item stands in it
+/// only while it has a time.
+
+/// The first member of whatever has a time.
+typedef struct bmr_event_item {
+    size_t place; ///< in the heap; BMR_NOT_QUEUED
+} bmr_event_item;
+#define BMR_NOT_QUEUED SIZE_MAX
+
+typedef struct bmr_event_entry {
+    double time;
+    bmr_event_item *item;
+} bmr_event_entry;
+
 typedef struct bmr_event_queue {
-    double *times; ///< of each item
-    size_t *order; ///< the heap: items
-    size_t *place; ///< of each item in `order`
-    size_t count;
+    bmr_event_entry *heap;
+    size_t count, capacity;
+    size_t promised; ///< items that may want a place, where the queue has memory of its own
+    /// Of two items of one time: which comes first. A total order of all items.
+    bool (*before)(const bmr_event_item *, const bmr_event_item *);
 } bmr_event_queue;
 
-/// Every item at INFINITY.
-void bmr_event_queue_init(bmr_event_queue *queue);
-/// O(log count).
-void bmr_event_queue_set(bmr_event_queue *queue, size_t item, double time);
-static inline size_t bmr_event_queue_first(const bmr_event_queue *queue) {
-    return queue->order[0];
-}
+/// Room for one item more, so that bmr_event_queue_set never needs memory. Amortized O(1). NO_MEMORY: as it
+/// was.
+bmr_error bmr_event_queue_promise(bmr_event_queue *queue, const bmr_allocator *allocator);
+/// Gives the room for one item back; memory, where a quarter is enough.
+void bmr_event_queue_release(bmr_event_queue *queue, const bmr_allocator *allocator);
+/// INFINITY: the item leaves the queue. O(log count).
+void bmr_event_queue_set(bmr_event_queue *queue, bmr_event_item *item, double time);
+
 static inline double bmr_event_queue_time(const bmr_event_queue *queue) {
-    return queue->times[queue->order[0]];
+    return queue->count > 0 ? queue->heap[0].time : INFINITY;
 }
 
 #endif

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "boomerang/failure.h"
+#include "kinetic/failure.h"
 
+#include <float.h>
 #include <math.h>
-
-#include "kinetic/bernstein.h"
-#include "kinetic/condition_polynomial.h"
-#include "kinetic/failure_start.h"
-#include "kinetic/safe_steps.h"
 
 /// Doubles near 1 are 2e-16 apart, so that this leaves more than three digits of room.
 #define DEFAULT_TOLERANCE 1e-12
@@ -16,6 +12,10 @@
 
 /// A leading term is dropped when over the whole interval it adds less than this part of the rounding error.
 #define NEGLIGIBLE_PART 0x1p-10
+
+/// A condition that is still positive where it was to fail is followed for so many doublings of the
+/// tolerance: 2^10 tolerances is more than the rounding of any value lasts.
+#define NUDGES 10
 
 bmr_failure_options bmr_default_failure_options(void) {
     const bmr_failure_options options = {BMR_ROOT_BERNSTEIN, DEFAULT_TOLERANCE};
@@ -169,4 +169,37 @@ bmr_error bmr_failure_time(const bmr_condition *condition, const bmr_motion *a, 
     }
     *time = first;
     return BMR_OK;
+}
+
+bmr_error bmr_first_failure(const bmr_condition *conditions, size_t count, const bmr_motion *a,
+                            const bmr_motion *b, double from, double to, const bmr_failure_options *options,
+                            double *time, size_t *failing) {
+    double first = INFINITY;
+    for (size_t i = 0; i < count && first > from; i++) {
+        double failure;
+        const bmr_error error =
+            bmr_failure_time(&conditions[i], a, b, from, fmin(to, first), options, &failure);
+        if (error != BMR_OK)
+            return error;
+        if (failure < first) {
+            first = failure;
+            *failing = i;
+        }
+    }
+    *time = first;
+    return BMR_OK;
+}
+
+double bmr_repair_time(const bmr_pair_motion *motion, const bmr_condition *condition, double time,
+                       double tolerance, double longest) {
+    double later = time, step = fmax(tolerance, DBL_EPSILON * fabs(time));
+    for (int i = 0; i <= NUDGES; i++, step *= 2.0) {
+        const bmr_pose pose = bmr_pair_instant(motion, later).pose;
+        if (!(bmr_condition_value(condition, &pose) > 0.0))
+            return later;
+        if (i > 0 && step > longest)
+            break;
+        later = time + step;
+    }
+    return later;
 }

@@ -5,9 +5,7 @@
 #include <string.h>
 
 #include "geometry/memory.h"
-#include "geometry/size.h"
-#include "kinetic/motion_layout.h"
-#include "kinetic/piece.h"
+#include "kinetic/motion.h"
 
 /// Room for pieces is doubled from here.
 #define FIRST_CAPACITY 2

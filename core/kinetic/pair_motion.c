@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "kinetic/pair_motion.h"
+#include "kinetic/motion.h"
 
 #include <float.h>
 #include <math.h>
 
 #include "geometry/distance.h"
 #include "geometry/length.h"
-#include "kinetic/piece.h"
 
 /// Two poses differ by a jump, not by rounding, when they are this far apart, in parts of 1 + |position|.
 /// Sampled motions and changes of plan that continue a pose agree to some 1e-15.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kinetic/piece.h"
+#include "kinetic/motion.h"
 
 #include <math.h>
 #include <string.h>
@@ -108,7 +108,8 @@ bool bmr_piece_is_algebraic(const bmr_motion_piece *piece) {
     return piece->kind == BMR_PIECE_ALGEBRAIC || piece->as.screw.spin == 0.0;
 }
 
-void bmr_taylor_shift(double *c, size_t degree, double by) {
+/// p(u) becomes p(u + by). O(degree^2).
+static void taylor_shift(double *c, size_t degree, double by) {
     for (size_t i = 0; i < degree; i++)
         for (size_t k = degree; k-- > i;)
             c[k] += by * c[k + 1];
@@ -118,10 +119,10 @@ bmr_algebraic_piece bmr_piece_expand(const bmr_motion_piece *piece, double time)
     const double by = time - piece->origin;
     if (piece->kind == BMR_PIECE_ALGEBRAIC) {
         bmr_algebraic_piece local = piece->as.algebraic;
-        bmr_taylor_shift(local.x, local.degree, by);
-        bmr_taylor_shift(local.y, local.degree, by);
-        bmr_taylor_shift(local.a, local.rotation_degree, by);
-        bmr_taylor_shift(local.b, local.rotation_degree, by);
+        taylor_shift(local.x, local.degree, by);
+        taylor_shift(local.y, local.degree, by);
+        taylor_shift(local.a, local.rotation_degree, by);
+        taylor_shift(local.b, local.rotation_degree, by);
         return local;
     }
     const bmr_screw_motion *screw = &piece->as.screw;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kinetic/safe_steps.h"
+#include "kinetic/failure.h"
 
 #include <float.h>
 #include <math.h>
@@ -9,10 +9,8 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
-#include "boomerang/failure.h"
 #include "geometry/length.h"
-#include "kinetic/failure_start.h"
-#include "kinetic/gsl_guard.h"
+#include "kinetic/roots.h"
 
 /// How many roundings a condition's value may be off by, each of the lengths that it is computed from: two
 /// products of rotations, one with a point, and the sums.

@@ -5,11 +5,11 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "boomerang/time_of_contact.h"
 #include "geometry/memory.h"
-#include "geometry/size.h"
 #include "kinetic/event_queue.h"
-#include "kinetic/first_failure.h"
-#include "kinetic/pair_motion.h"
+#include "kinetic/failure.h"
+#include "kinetic/motion.h"
 #include "kinetic/simulation_layout.h"
 
 /// The search for a pair's next event goes ahead by this many times the time between its last events, then by
@@ -36,6 +36,7 @@ typedef enum reason {
 } reason;
 
 typedef struct pair {
+    bmr_event_item item;
     bmr_kds *kds;
     size_t a, b;
     reason next;
@@ -80,8 +81,8 @@ static bmr_pair_motion motion_of(const bmr_simulation *s, const pair *p) {
 
 // ---- searching ----
 
-static void schedule(bmr_simulation *s, const pair *p, double time) {
-    bmr_event_queue_set(&s->queue, (size_t)(p - s->pairs), time);
+static void schedule(bmr_simulation *s, pair *p, double time) {
+    bmr_event_queue_set(&s->queue, &p->item, time);
 }
 
 /// The first failure of any condition in (from, to]; INFINITY: none.
@@ -246,7 +247,7 @@ bmr_error bmr_simulation_run(bmr_simulation *s, double until) {
         return BMR_ERROR_OUT_OF_RANGE;
     s->reached = fmax(s->reached, until);
     while (bmr_event_queue_time(&s->queue) <= until) {
-        pair *p = &s->pairs[bmr_event_queue_first(&s->queue)];
+        pair *p = (pair *)(void *)s->queue.heap[0].item;
         const double time = bmr_event_queue_time(&s->queue);
         if (p->next != LOOK)
             s->time = fmax(s->time, time);
@@ -295,15 +296,21 @@ bool bmr_simulation_lay_out(size_t bodies, size_t limit, bmr_simulation_layout *
         return false;
     const struct {
         size_t *begin, count, each;
-    } arrays[] = {{&l.shapes, bodies, sizeof(bmr_shape)},   {&l.motions, bodies, sizeof(bmr_motion *)},
-                  {&l.pairs, l.pair_count, sizeof(pair)},   {&l.times, l.pair_count, sizeof(double)},
-                  {&l.order, l.pair_count, sizeof(size_t)}, {&l.place, l.pair_count, sizeof(size_t)}};
+    } arrays[] = {{&l.shapes, bodies, sizeof(bmr_shape)},
+                  {&l.motions, bodies, sizeof(bmr_motion *)},
+                  {&l.pairs, l.pair_count, sizeof(pair)},
+                  {&l.queue, l.pair_count, sizeof(bmr_event_entry)}};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         if (!bmr_size_add(&l.bytes, arrays[i].count, arrays[i].each, _Alignof(max_align_t), limit,
                           arrays[i].begin))
             return false;
     *layout = l;
     return true;
+}
+
+/// Of two events of one time: the pair of the lower number.
+static bool comes_first(const bmr_event_item *a, const bmr_event_item *b) {
+    return a < b;
 }
 
 static bmr_error make(size_t bodies, const bmr_allocator *allocator, bmr_simulation **made) {
@@ -322,11 +329,9 @@ static bmr_error make(size_t bodies, const bmr_allocator *allocator, bmr_simulat
     s->shapes = (void *)(block + l.shapes);
     s->motions = (void *)(block + l.motions);
     s->pairs = (void *)(block + l.pairs);
-    s->queue.times = (void *)(block + l.times);
-    s->queue.order = (void *)(block + l.order);
-    s->queue.place = (void *)(block + l.place);
-    s->queue.count = l.pair_count;
-    bmr_event_queue_init(&s->queue);
+    s->queue.heap = (void *)(block + l.queue);
+    s->queue.capacity = l.pair_count;
+    s->queue.before = comes_first;
     *made = s;
     return BMR_OK;
 }
@@ -336,6 +341,7 @@ static bmr_error make_pairs(bmr_simulation *s) {
     pair *p = s->pairs;
     for (size_t a = 0; a < s->body_count; a++)
         for (size_t b = a + 1; b < s->body_count; b++, p++) {
+            p->item.place = BMR_NOT_QUEUED;
             p->a = a;
             p->b = b;
             p->burst_start = -INFINITY;
@@ -421,11 +427,11 @@ const bmr_kds *bmr_simulation_pair(const bmr_simulation *s, size_t index, size_t
 bmr_simulation_counts bmr_simulation_get_counts(const bmr_simulation *s) {
     bmr_simulation_counts counts = s->counts;
     counts.pairs = s->pair_count;
-    counts.queue_bytes = s->pair_count * (sizeof(double) + 2 * sizeof(size_t));
+    counts.queue_bytes = s->pair_count * (sizeof(bmr_event_entry) + sizeof(bmr_event_item));
     for (size_t i = 0; i < s->pair_count; i++) {
         bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
         counts.conditions += bmr_kds_conditions(s->pairs[i].kds, conditions);
-        counts.pair_bytes += sizeof s->pairs[i] + bmr_kds_bytes(s->pairs[i].kds);
+        counts.pair_bytes += sizeof s->pairs[i] - sizeof(bmr_event_item) + bmr_kds_bytes(s->pairs[i].kds);
     }
     return counts;
 }
@@ -440,5 +446,50 @@ bmr_error bmr_simulation_audit(const bmr_simulation *s) {
         if (error != BMR_OK)
             return error;
     }
+    return BMR_OK;
+}
+
+// ---- the time of contact of two ----
+
+/// The interval is run in so many parts, so that what lies behind the contact is not all computed.
+#define PARTS 16
+
+static void note_contact(void *context, const bmr_simulation_event *event) {
+    double *time = context;
+    if (event->report.kind == BMR_KDS_CONTACT && event->time < *time)
+        *time = event->time;
+}
+
+static bool have_dudley(const bmr_shape *a, const bmr_shape *b) {
+    return a->hierarchies[BMR_HIERARCHY_DUDLEY] && b->hierarchies[BMR_HIERARCHY_DUDLEY];
+}
+
+bmr_error bmr_time_of_contact(const bmr_shape *a, const bmr_motion *motion_a, const bmr_shape *b,
+                              const bmr_motion *motion_b, double from, double until, double margin,
+                              const bmr_allocator *allocator, double *time) {
+    if (!a || !motion_a || !b || !motion_b || !time || !a->polygon || !b->polygon)
+        return BMR_ERROR_NULL_ARGUMENT;
+    if (!isfinite(from) || !isfinite(until))
+        return BMR_ERROR_NOT_FINITE;
+    if (from > until)
+        return BMR_ERROR_OUT_OF_RANGE;
+    bmr_simulation_def def = bmr_default_simulation_def();
+    bmr_error error = bmr_kds_find(have_dudley(a, b) ? "lazy-dudley" : "hybrid", &def.structure);
+    def.kds.margin = margin;
+    const bmr_shape shapes[2] = {*a, *b};
+    bmr_motion *const motions[2] = {(bmr_motion *)motion_a, (bmr_motion *)motion_b}; // it only reads them
+    double contact = INFINITY;
+    bmr_simulation *simulation = NULL;
+    if (error == BMR_OK)
+        error = bmr_simulation_create(&def, shapes, motions, 2, from, note_contact, &contact, allocator,
+                                      &simulation);
+    for (int part = 1; part <= PARTS && error == BMR_OK && contact == INFINITY; ++part) {
+        const double end = part < PARTS ? from + (until - from) * ((double)part / PARTS) : until;
+        error = bmr_simulation_run(simulation, fmax(end, bmr_simulation_time(simulation)));
+    }
+    bmr_simulation_destroy(simulation);
+    if (error != BMR_OK && contact == INFINITY)
+        return error;
+    *time = contact;
     return BMR_OK;
 }

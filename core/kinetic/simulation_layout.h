@@ -8,7 +8,7 @@
 /// Where each array of a simulation begins in its one block: bytes from the block's own beginning.
 typedef struct bmr_simulation_layout {
     size_t pair_count; ///< bodies * (bodies - 1) / 2
-    size_t shapes, motions, pairs, times, order, place;
+    size_t shapes, motions, pairs, queue;
     size_t bytes; ///< of the whole block
 } bmr_simulation_layout;
 

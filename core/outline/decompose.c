@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "geometry/memory.h"
-#include "geometry/size.h"
 #include "outline/improve.h"
 #include "outline/mesh.h"
 #include "outline/simplify.h"

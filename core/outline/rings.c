@@ -6,7 +6,6 @@
 
 #include "boomerang/polygon.h"
 #include "geometry/memory.h"
-#include "geometry/size.h"
 
 bmr_error bmr_rings_check(const bmr_rings *rings, uint32_t *count) {
     if (!rings)

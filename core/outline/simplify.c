@@ -7,7 +7,6 @@
 #include "geometry/hull.h"
 #include "geometry/memory.h"
 #include "geometry/predicates.h"
-#include "geometry/size.h"
 #include "outline/chord.h"
 #include "outline/grid.h"
 #include "outline/sweep.h"

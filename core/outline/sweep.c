@@ -6,7 +6,6 @@
 
 #include "geometry/memory.h"
 #include "geometry/predicates.h"
-#include "geometry/size.h"
 
 #define NONE BMR_OUTLINE_NONE
 

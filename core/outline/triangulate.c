@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "geometry/memory.h"
-#include "geometry/size.h"
 #include "outline/mesh.h"
 #include "outline/sweep.h"
 

@@ -82,7 +82,8 @@ static bmr_error audit_couple(const bmr_world *w, const bmr_couple *c) {
         return BMR_ERROR_INVALID_STRUCTURE;
     if ((c->watch == BMR_WATCH_DISKS) != (c->near == NULL))
         return BMR_ERROR_INVALID_STRUCTURE;
-    const bool due = c->item.place != BMR_NOT_QUEUED && w->agenda.heap[c->item.place].time <= w->time;
+    const bool due =
+        c->head.item.place != BMR_NOT_QUEUED && w->queue.heap[c->head.item.place].time <= w->time;
     if (due) // it has not been told yet
         return BMR_OK;
     if (c->watch == BMR_WATCH_DISKS)
@@ -98,9 +99,9 @@ static bmr_error audit_couple(const bmr_world *w, const bmr_couple *c) {
                                             : bmr_kds_audit(c->near->kds, &pose);
 }
 
-static bmr_error audit_agenda(const bmr_world *w) {
-    for (size_t i = 0; i < w->agenda.count; i++) {
-        const bmr_agenda_entry *entry = &w->agenda.heap[i], *above = &w->agenda.heap[i ? (i - 1) / 2 : 0];
+static bmr_error audit_queue(const bmr_world *w) {
+    for (size_t i = 0; i < w->queue.count; i++) {
+        const bmr_event_entry *entry = &w->queue.heap[i], *above = &w->queue.heap[i ? (i - 1) / 2 : 0];
         if (entry->item->place != i || entry->time < above->time || !(entry->time < INFINITY))
             return BMR_ERROR_INVALID_STRUCTURE;
     }
@@ -109,7 +110,8 @@ static bmr_error audit_agenda(const bmr_world *w) {
 
 /// A body's list of couples, and its cell.
 static bmr_error audit_resident(const bmr_world *w, const bmr_resident *r) {
-    const bool due = r->item.place != BMR_NOT_QUEUED && w->agenda.heap[r->item.place].time <= w->time;
+    const bool due =
+        r->head.item.place != BMR_NOT_QUEUED && w->queue.heap[r->head.item.place].time <= w->time;
     if (!due && !in_cell(w, r))
         return BMR_ERROR_FALSE_CERTIFICATE;
     size_t couples = 0;
@@ -124,7 +126,7 @@ static bmr_error audit_resident(const bmr_world *w, const bmr_resident *r) {
 bmr_error bmr_world_audit(const bmr_world *w) {
     if (!w)
         return BMR_ERROR_NULL_ARGUMENT;
-    bmr_error error = audit_agenda(w);
+    bmr_error error = audit_queue(w);
     for (size_t i = 0; i < w->places && error == BMR_OK; i++) {
         const bmr_resident *a = w->residents[i];
         if (!a)

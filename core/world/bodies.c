@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "geometry/size.h"
-#include "kinetic/piece.h"
+#include "geometry/memory.h"
+#include "kinetic/motion.h"
 
 bmr_resident *bmr_world_find(const bmr_world *w, bmr_body id) {
     const size_t place = (size_t)(id & UINT32_MAX);
@@ -89,7 +89,7 @@ static bmr_error make_resident(bmr_world *w, const bmr_body_def *def, bmr_reside
     if (error != BMR_OK)
         return error;
     bmr_resident *r = bmr_world_take(w, sizeof *r);
-    error = r ? bmr_agenda_promise(&w->agenda, &w->counted) : BMR_ERROR_NO_MEMORY;
+    error = r ? bmr_event_queue_promise(&w->queue, &w->counted) : BMR_ERROR_NO_MEMORY;
     if (error != BMR_OK) {
         if (r)
             bmr_world_give(w, r, sizeof *r);
@@ -97,7 +97,7 @@ static bmr_error make_resident(bmr_world *w, const bmr_body_def *def, bmr_reside
         return error;
     }
     memset(r, 0, sizeof *r);
-    r->item.place = BMR_NOT_QUEUED;
+    r->head.item.place = BMR_NOT_QUEUED;
     r->shape = *def->shape;
     r->radius = radius_of(def->shape->polygon);
     r->mass = def->mass;

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "geometry/size.h"
+#include "geometry/memory.h"
 #include "world/parts.h"
 
 /// A cell is at least so many radii, and margins, wide: see above.

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "kds/structure.h"
-#include "kinetic/first_failure.h"
+#include "kinetic/failure.h"
 #include "world/parts.h"
 
 /// The margin is halved at most so often: 2^-20 of it is below what structures can tell.
@@ -32,15 +32,15 @@ bmr_error bmr_couple_make(bmr_world *w, bmr_resident *a, bmr_resident *b, const 
     bmr_couple *c = bmr_world_take(w, sizeof *c);
     if (!c)
         return BMR_ERROR_NO_MEMORY;
-    const bmr_error error = bmr_agenda_promise(&w->agenda, &w->counted);
+    const bmr_error error = bmr_event_queue_promise(&w->queue, &w->counted);
     if (error != BMR_OK) {
         bmr_world_give(w, c, sizeof *c);
         return error;
     }
     memset(c, 0, sizeof *c);
     const int sign = a->birth < b->birth ? 1 : -1; // walls were born last
-    c->item.place = BMR_NOT_QUEUED;
-    c->item.is_couple = true;
+    c->head.item.place = BMR_NOT_QUEUED;
+    c->head.is_couple = true;
     c->side[0] = sign > 0 ? a : b;
     c->side[1] = sign > 0 ? b : a;
     c->image[0] = sign * image_of_b[0];
@@ -102,15 +102,16 @@ void bmr_couple_destroy(bmr_world *w, bmr_couple *c) {
         unlink_couple(w, c);
     set_watch(w, c, BMR_WATCH_DISKS);
     end_structure(w, c);
-    bmr_agenda_set(&w->agenda, &c->item, INFINITY);
-    bmr_agenda_release(&w->agenda, &w->counted);
+    bmr_event_queue_set(&w->queue, &c->head.item, INFINITY);
+    bmr_event_queue_release(&w->queue, &w->counted);
     bmr_world_give(w, c, sizeof *c);
 }
 
-bool bmr_item_before(const bmr_agenda_item *a, const bmr_agenda_item *b) {
-    if (a->is_couple != b->is_couple)
-        return b->is_couple;
-    if (!a->is_couple) {
+bool bmr_item_before(const bmr_event_item *a, const bmr_event_item *b) {
+    const bmr_scheduled *const first = (const void *)a, *const second = (const void *)b;
+    if (first->is_couple != second->is_couple)
+        return second->is_couple;
+    if (!first->is_couple) {
         const bmr_resident *p = (const void *)a, *q = (const void *)b;
         return p->birth < q->birth;
     }
@@ -338,7 +339,7 @@ bmr_error bmr_couple_event_due(bmr_world *w, bmr_couple *c) {
 
 void bmr_couple_hold(bmr_world *w, bmr_couple *c) {
     set_watch(w, c, BMR_WATCH_PASSING);
-    bmr_agenda_set(&w->agenda, &c->item, INFINITY);
+    bmr_event_queue_set(&w->queue, &c->head.item, INFINITY);
 }
 
 bmr_error bmr_couple_pass(bmr_world *w, bmr_couple *c) {

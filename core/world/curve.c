@@ -7,9 +7,9 @@
 #include <math.h>
 
 #include "geometry/length.h"
-#include "kinetic/bernstein.h"
-#include "kinetic/condition_polynomial.h"
-#include "kinetic/piece.h"
+#include "kinetic/failure.h"
+#include "kinetic/motion.h"
+#include "kinetic/roots.h"
 #include "world/parts.h"
 
 /// A window is so many times as long as the path needs for one reach, by the first of its powers to get

@@ -14,7 +14,7 @@
 #include <math.h>
 
 #include "geometry/length.h"
-#include "kinetic/piece.h"
+#include "kinetic/motion.h"
 #include "world/parts.h"
 
 /// What the reach has more than it needs.

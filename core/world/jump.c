@@ -10,7 +10,7 @@
 #include <math.h>
 
 #include "geometry/length.h"
-#include "kinetic/piece.h"
+#include "kinetic/motion.h"
 #include "world/parts.h"
 
 /// Rounding of a pose: so many of the terms of its path, and of its rotation's. (Horner's rule has two for

@@ -3,9 +3,8 @@
 #define BMR_WORLD_PARTS_H
 
 #include "boomerang/world.h"
-#include "kinetic/motion_layout.h"
-#include "kinetic/pair_motion.h"
-#include "world/agenda.h"
+#include "kinetic/event_queue.h"
+#include "kinetic/motion.h"
 
 /// @file
 /// What a world is made of. A *resident* is a body (or a wall), a *couple* a pair of residents that is
@@ -14,6 +13,12 @@
 typedef struct bmr_cell bmr_cell;
 typedef struct bmr_couple bmr_couple;
 typedef struct bmr_resident bmr_resident;
+
+/// What bodies and pairs begin with: their places in the queue.
+typedef struct bmr_scheduled {
+    bmr_event_item item;
+    bool is_couple;
+} bmr_scheduled;
 
 /// What bodies of about one size see of walls: a level segment and an upright one about their frame's origin.
 typedef struct bmr_beside {
@@ -41,7 +46,7 @@ struct bmr_cell {
 };
 
 struct bmr_resident {
-    bmr_agenda_item item; ///< its next event: the motion's next piece, or the way out of its cell
+    bmr_scheduled head; ///< its next event: the motion's next piece, or the way out of its cell
     bmr_body id;
     uint64_t birth;
     bmr_shape shape;
@@ -65,7 +70,7 @@ struct bmr_resident {
     bmr_resident *gathered; ///< scratch: the next one that sticks together with it
 };
 
-/// What the agenda has a couple for.
+/// What the queue has a couple for.
 typedef enum bmr_couple_event {
     BMR_COUPLE_LOOK,  ///< to be searched further
     BMR_COUPLE_MEET,  ///< the disks meet
@@ -100,7 +105,7 @@ typedef struct bmr_near {
 } bmr_near;
 
 struct bmr_couple {
-    bmr_agenda_item item;
+    bmr_scheduled head;
     bmr_resident *side[2];            ///< the first was born first; the second may be a wall
     bmr_couple *after[2], *before[2]; ///< in the lists of both
     bmr_couple *same;                 ///< scratch: another couple of the same two
@@ -121,7 +126,7 @@ struct bmr_world {
     bool sticking; ///< all that stick together are being moved
     bmr_world_trouble trouble;
     bmr_couple *busy; ///< whose contact is being told
-    bmr_agenda agenda;
+    bmr_event_queue queue;
     bmr_world_counts counts;
 
     bmr_resident **residents; ///< by place: the lower half of an id
@@ -321,7 +326,7 @@ bmr_error bmr_couple_resume(bmr_world *w, bmr_couple *c, bool placed, double rec
 void bmr_couple_hold(bmr_world *w, bmr_couple *c);
 /// After PASS.
 bmr_error bmr_couple_pass(bmr_world *w, bmr_couple *c);
-bool bmr_item_before(const bmr_agenda_item *a, const bmr_agenda_item *b);
+bool bmr_item_before(const bmr_event_item *a, const bmr_event_item *b);
 
 /// How many contacts without coming apart it takes for the margin to be halved. With ZENO_ELASTIC they may be
 /// the tremble of a jam: it goes down more slowly.

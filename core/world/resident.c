@@ -152,7 +152,7 @@ static bmr_error search_own(bmr_world *w, bmr_resident *r, double after) {
         time = r->until;
         r->look = false;
     }
-    bmr_agenda_set(&w->agenda, &r->item, time);
+    bmr_event_queue_set(&w->queue, &r->head.item, time);
     return BMR_OK;
 }
 
@@ -160,7 +160,7 @@ void bmr_resident_search_later(bmr_world *w, bmr_resident *r, double after) {
     if (search_own(w, r, after) == BMR_OK)
         return;
     r->look = true;
-    bmr_agenda_set(&w->agenda, &r->item, w->time);
+    bmr_event_queue_set(&w->queue, &r->head.item, w->time);
 }
 
 static size_t candidates_of(const bmr_resident *r) {
@@ -353,8 +353,8 @@ bmr_error bmr_resident_event(bmr_world *w, bmr_resident *r) {
 
 void bmr_resident_destroy(bmr_world *w, bmr_resident *r) {
     forget_couples(w, r);
-    bmr_agenda_set(&w->agenda, &r->item, INFINITY);
-    bmr_agenda_release(&w->agenda, &w->counted);
+    bmr_event_queue_set(&w->queue, &r->head.item, INFINITY);
+    bmr_event_queue_release(&w->queue, &w->counted);
     bmr_cell_leave(w, r);
     drop_plan(r);
     bmr_world_give(w, r, sizeof *r);

@@ -5,7 +5,7 @@
 
 #include "geometry/length.h"
 #include "kds/structure.h"
-#include "kinetic/first_failure.h"
+#include "kinetic/failure.h"
 #include "world/parts.h"
 
 /// The first failure is looked for in this part of the time in which the two can move by their reach, then in
@@ -39,7 +39,7 @@ double bmr_couple_natural_time(const bmr_world *w, const bmr_couple *c, const bm
 
 void bmr_couple_schedule(bmr_world *w, bmr_couple *c, bmr_couple_event event, double time) {
     c->event = (uint8_t)event;
-    bmr_agenda_set(&w->agenda, &c->item, time < INFINITY ? fmax(time, w->time) : time);
+    bmr_event_queue_set(&w->queue, &c->head.item, time < INFINITY ? fmax(time, w->time) : time);
 }
 
 /// OUT_OF_RANGE of a question about the disks: so fast, or so long after their epoch, that they cannot be

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "kinetic/piece.h"
+#include "kinetic/motion.h"
 #include "world/parts.h"
 
 const char *bmr_world_event_name(bmr_world_event_kind kind) {
@@ -73,7 +73,8 @@ void bmr_world_each_pair(const bmr_world *w, void (*visit)(void *context, const 
             pair.watch = (bmr_watch)c->watch;
             pair.image = bmr_couple_shift(w, c);
             pair.reach = bmr_gate_reach(w, c);
-            pair.next = c->item.place == BMR_NOT_QUEUED ? INFINITY : w->agenda.heap[c->item.place].time;
+            pair.next =
+                c->head.item.place == BMR_NOT_QUEUED ? INFINITY : w->queue.heap[c->head.item.place].time;
             pair.neighbours = c->neighbours;
             pair.kds = c->near ? c->near->kds : NULL;
             visit(context, &pair);
@@ -98,7 +99,7 @@ void bmr_world_each_cell(const bmr_world *w, void (*visit)(void *context, const 
 bmr_world_counts bmr_world_get_counts(const bmr_world *w) {
     bmr_world_counts counts = w->counts;
     counts.cells = w->cell_count;
-    counts.queued = w->agenda.count;
+    counts.queued = w->queue.count;
     int lowest = 0, highest = -1;
     for (int l = BMR_MOST_LEVEL; l >= BMR_LEAST_LEVEL; l--)
         if (w->level_bodies[l - BMR_LEAST_LEVEL] > 0) {

@@ -20,7 +20,7 @@ void bmr_walls_make(bmr_world *w) {
         pose.position = side % 2 == 0 ? w->def.low : w->def.high;
         const bmr_motion_piece rest = bmr_piece_rest(pose);
         bmr_timed_piece_set(&wall->now, -INFINITY, &rest);
-        wall->item.place = BMR_NOT_QUEUED;
+        wall->head.item.place = BMR_NOT_QUEUED;
         wall->id = BMR_WALL(side);
         wall->birth = UINT64_MAX - BMR_WALLS + (uint64_t)side;
         wall->mass = wall->inertia = INFINITY;

@@ -105,7 +105,7 @@ bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allo
     w->counts.bytes = w->counts.most_bytes = sizeof *w;
     w->def = *def;
     w->time = time;
-    w->agenda.before = bmr_item_before;
+    w->queue.before = bmr_item_before;
     w->trouble.a = w->trouble.b = BMR_NO_BODY;
     if (def->boundary == BMR_PERIODIC)
         lay_grid(w);
@@ -128,8 +128,8 @@ void bmr_world_destroy(bmr_world *w) {
         bmr_world_give(w, w->candidates, w->candidate_capacity * sizeof *w->candidates);
     if (w->table)
         bmr_world_give(w, w->table, w->table_size * sizeof(bmr_cell *));
-    if (w->agenda.heap)
-        bmr_world_give(w, w->agenda.heap, w->agenda.capacity * sizeof *w->agenda.heap);
+    if (w->queue.heap)
+        bmr_world_give(w, w->queue.heap, w->queue.capacity * sizeof *w->queue.heap);
     bmr_release(w->allocator, w, sizeof *w);
 }
 
@@ -153,8 +153,8 @@ void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr
 
 /// Names who is concerned, where nobody else did.
 static bmr_error take_event(bmr_world *w) {
-    bmr_agenda_item *const item = w->agenda.heap[0].item;
-    w->time = fmax(w->time, w->agenda.heap[0].time);
+    bmr_scheduled *const item = (bmr_scheduled *)(void *)w->queue.heap[0].item;
+    w->time = fmax(w->time, w->queue.heap[0].time);
     const bmr_couple *const couple = item->is_couple ? (void *)item : NULL;
     const bmr_body a = couple ? couple->side[0]->id : ((bmr_resident *)(void *)item)->id;
     const bmr_body b = couple ? couple->side[1]->id : BMR_NO_BODY;
@@ -175,7 +175,7 @@ bmr_error bmr_world_advance(bmr_world *w, double until) {
     w->inside = true;
     bmr_world_stop(w, BMR_OK, BMR_TROUBLE_NONE, BMR_NO_BODY, BMR_NO_BODY);
     bmr_error error = BMR_OK;
-    for (uint64_t events = 0; error == BMR_OK && bmr_agenda_time(&w->agenda) <= until; events++)
+    for (uint64_t events = 0; error == BMR_OK && bmr_event_queue_time(&w->queue) <= until; events++)
         error = events < w->def.most_events || w->def.most_events == 0
                     ? take_event(w)
                     : bmr_world_stop(w, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_EVENTS, BMR_NO_BODY, BMR_NO_BODY);
@@ -192,5 +192,5 @@ double bmr_world_time(const bmr_world *w) {
 }
 
 double bmr_world_next(const bmr_world *w) {
-    return bmr_agenda_time(&w->agenda);
+    return bmr_event_queue_time(&w->queue);
 }

@@ -6,7 +6,6 @@ extern "C" {
 }
 #include "boomerang/distance.h"
 #include "cases.h"
-#include "geometry/posed_polygons.h"
 #include "polygons.h"
 #include "query_oracle.h"
 
@@ -68,11 +67,9 @@ unsigned EnoughSteps(const Scene &s) {
 }
 
 unsigned StepsOf(const Scene &s) {
-    bmr_posed_polygons posed;
     bmr_closest_points answer;
-    REQUIRE(bmr_posed_polygons_make(s.a, &s.pose_a, s.b, &s.pose_b, &answer, &posed) == BMR_OK);
     unsigned steps = 0;
-    bmr_posed_polygons_closest(&posed, &steps, &answer);
+    REQUIRE(bmr_distance_counted(s.a, &s.pose_a, s.b, &s.pose_b, &answer, &steps) == BMR_OK);
     return steps;
 }
 

@@ -7,7 +7,7 @@
 #include "boomerang/failure.h"
 #include "checks.h"
 #include "failure_oracle.h"
-#include "kinetic/failure_start.h"
+#include "kinetic/failure.h"
 #include "motions.h"
 #include "polygons.h"
 

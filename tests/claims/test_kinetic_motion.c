@@ -3,7 +3,7 @@
 
 #include "boomerang/motion.h"
 #include "checks.h"
-#include "kinetic/piece.h"
+#include "kinetic/motion.h"
 #include "motions.h"
 #include "polygons.h"
 

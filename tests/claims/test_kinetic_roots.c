@@ -7,9 +7,8 @@
 #include <pthread.h>
 
 #include "boomerang/motion.h"
-#include "kinetic/bernstein.h"
 #include "kinetic/event_queue.h"
-#include "kinetic/first_root.h"
+#include "kinetic/roots.h"
 #include "polygons.h"
 
 #define ROOT_TOLERANCE 1e-9
@@ -196,21 +195,34 @@ TEST(roots_nearer_than_the_tolerance_are_one) {
 
 #define ITEMS 13
 
+static bool comes_first(const bmr_event_item *a, const bmr_event_item *b) {
+    return a < b;
+}
+
 TEST(the_queue_has_the_earliest_on_top_however_times_change) {
     double times[ITEMS];
-    size_t order[ITEMS], place[ITEMS];
-    bmr_event_queue queue = {times, order, place, ITEMS};
-    bmr_event_queue_init(&queue);
+    bmr_event_item items[ITEMS];
+    bmr_event_entry heap[ITEMS];
+    bmr_event_queue queue = {.heap = heap, .capacity = ITEMS, .before = comes_first};
+    for (size_t i = 0; i < ITEMS; i++) {
+        items[i].place = BMR_NOT_QUEUED;
+        times[i] = INFINITY;
+    }
     assert_true(bmr_event_queue_time(&queue) == INFINITY);
     test_random random = {5};
     for (int round = 0; round < 2000; round++) {
         const size_t item = (size_t)test_random_below(&random, ITEMS);
-        bmr_event_queue_set(&queue, item, (double)test_random_below(&random, 40)); // ties, too
-        size_t first = 0;
-        for (size_t i = 1; i < ITEMS; i++)
+        const size_t time = (size_t)test_random_below(&random, 40); // ties, too
+        times[item] = time < 36 ? (double)time : INFINITY;
+        bmr_event_queue_set(&queue, &items[item], times[item]);
+        size_t first = 0, queued = times[0] < INFINITY;
+        for (size_t i = 1; i < ITEMS; i++) {
+            queued += times[i] < INFINITY;
             if (times[i] < times[first])
                 first = i;
-        assert_int_equal(bmr_event_queue_first(&queue), first);
+        }
+        assert_int_equal(queue.count, queued);
         assert_true(bmr_event_queue_time(&queue) == times[first]);
+        assert_true(queued == 0 || queue.heap[0].item == &items[first]);
     }
 }

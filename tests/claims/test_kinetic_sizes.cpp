@@ -9,7 +9,7 @@
 
 extern "C" {
 #include "convex32/build.h"
-#include "geometry/size.h"
+#include "geometry/memory.h"
 #include "kinetic/simulation_layout.h"
 }
 
@@ -76,10 +76,8 @@ TEST_CASE("the pairs of a simulation take what they take, or are refused") {
         // Every array behind the one before, with room for its elements.
         CHECK(layout.motions >= layout.shapes + bodies * sizeof(bmr_shape));
         CHECK(layout.pairs >= layout.motions + bodies * sizeof(void *));
-        CHECK(layout.times >= layout.pairs + pairs * 64);
-        CHECK(layout.order >= layout.times + pairs * sizeof(double));
-        CHECK(layout.place >= layout.order + pairs * sizeof(size_t));
-        CHECK(layout.bytes >= layout.place + pairs * sizeof(size_t));
+        CHECK(layout.queue >= layout.pairs + pairs * 64);
+        CHECK(layout.bytes >= layout.queue + pairs * 2 * sizeof(double));
         bmr_simulation_layout wide = {};
         CHECK(bmr_simulation_lay_out(bodies, SIZE_MAX, &wide));
         CHECK(wide.bytes == layout.bytes);

@@ -11,7 +11,7 @@
 #include "contracts.h"
 #include "failing_allocator.h"
 #include "kds_driver.h"
-#include "kinetic/first_root.h"
+#include "kinetic/roots.h"
 
 using namespace contracts;
 
@@ -202,7 +202,7 @@ TEST_CASE("boomerang/motion.h") {
         "finite");
 }
 
-TEST_CASE("boomerang/failure.h, boomerang/time_of_contact.h, kinetic/first_root.h") {
+TEST_CASE("boomerang/failure.h, boomerang/time_of_contact.h, kinetic/roots.h") {
     Row(
         "bmr_polynomial_first_root",
         [](Asked &ask) {

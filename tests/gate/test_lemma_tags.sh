@@ -111,9 +111,9 @@ control() {
     fi
     cp "$root/$file" "$room/tree/$file"
 }
-control 'no tag in the code' 'bmr_hierarchy_height has no "/// Lemma 3.1' core/hierarchy/measure.c 's|/// Lemma 3.1:[^\n]*\n||'
+control 'no tag in the code' 'bmr_hierarchy_height has no "/// Lemma 3.1' core/hierarchy/query.c 's|/// Lemma 3.1:[^\n]*\n||'
 control 'no tag in the test' 'the_tiling_is_of_linear_size has no "/// Lemma 4.1' tests/claims/test_mixed.c 's|/// Lemma 4.1:[^\n]*\n||'
-control 'a tag at another function' 'bmr_hierarchy_height has no' core/hierarchy/measure.c \
+control 'a tag at another function' 'bmr_hierarchy_height has no' core/hierarchy/query.c \
     's|(/// Lemma 3.1:[^\n]*\n)(.*?\n}\n)|$2|s; s|\z|\n/// Lemma 3.1: here.\nvoid other(void) {\n}\n|'
 control 'another statement' 'has no "/// Lemma 4.1' core/hierarchy/mixed_tiling.c 's|(/// Lemma 4.1: .*?)m\) cells|$1n) cells|'
 control 'a tag that is not in the paper' 'a tag that no row of the table has: Lemma 9.9' core/hierarchy/compass.c \

@@ -26,7 +26,7 @@ typedef struct bmr_failure_options {
     /// > 0. A failure may be reported early by at most this much time, times max(1, |time|) and not less than
     /// a few roundings of the time. It is never reported late: until the returned time the condition's true
     /// value is >= 0, up to the rounding of evaluating it (some 1e-14 of the magnitudes involved, more for
-    /// rotations of high degree: see core/kinetic/condition_polynomial.h). A dip below zero that is no deeper
+    /// rotations of high degree: see core/kinetic/failure.h). A dip below zero that is no deeper
     /// than that, and a touch, may be passed over or reported.
     double tolerance;
 } bmr_failure_options;
