@@ -5,7 +5,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_poly.h>
 
-#include "kinetic/first_root.h"
+#include "kinetic/roots.h"
 
 /// In GSL's place: what the solver says here.
 static int solver_status = GSL_SUCCESS;
