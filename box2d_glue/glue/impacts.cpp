@@ -12,7 +12,7 @@
 #include "glue/contacts/solid_contact.h"
 #include "glue/proofs/convex_distance.h"
 #include "glue/proofs/sweep_apart.h"
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 #include "solver/island_solver.h"
 #include "start/settings.h"
 

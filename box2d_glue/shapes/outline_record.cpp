@@ -11,39 +11,11 @@
 #include <box2d/b2_fixture.h>
 
 #include "convex32/convex32_pieces.h"
-#include "geometry/memory.h"
-#include "shapes/convex_geometry.h"
-#include "shapes/weighing.h"
+#include "shapes/big_polygons.h"
 
 namespace bmr {
 
 namespace {
-
-/// `count` objects in memory of an allocator of core's, all zero.
-template <typename T> class Room {
-public:
-    Room(size_t count, const bmr_allocator *allocator)
-        : m_bytes(count * sizeof(T)), // NOLINT(bugprone-sizeof-expression): pointers, too
-          m_allocator(allocator), m_objects(static_cast<T *>(bmr_allocate(allocator, m_bytes))) {
-        for (size_t i = 0; m_objects != nullptr && i < count; ++i)
-            new (m_objects + i) T();
-    }
-    ~Room() {
-        if (m_objects != nullptr)
-            bmr_release(m_allocator, m_objects, m_bytes);
-    }
-    Room(const Room &) = delete;
-    Room &operator=(const Room &) = delete;
-
-    /// nullptr without memory.
-    T *Get() { return m_objects; }
-    T &operator[](size_t i) { return m_objects[i]; }
-
-private:
-    size_t m_bytes;
-    const bmr_allocator *m_allocator;
-    T *m_objects;
-};
 
 size_t BytesOf(uint32_t pieceCount) {
     return sizeof(OutlineRecord) + (pieceCount - 1) * sizeof(registry::Handle);
@@ -68,8 +40,8 @@ bmr_vec2 CentreOf(const bmr_mass32 &mass) {
 class Builder {
 public:
     Builder(const bmr_outline_pieces &pieces, const bmr_allocator *allocator)
-        : m_pieces(pieces), m_allocator(allocator), m_blocks(pieces.piece_count, allocator),
-          m_slivers(pieces.piece_count, allocator), m_corners(MostCorners(pieces), allocator) {}
+        : m_pieces(pieces), m_allocator(allocator), m_blocks(pieces.piece_count),
+          m_slivers(pieces.piece_count), m_corners(MostCorners(pieces)) {}
     ~Builder() { Drop(); }
     Builder(const Builder &) = delete;
     Builder &operator=(const Builder &) = delete;
@@ -210,9 +182,9 @@ private:
 
     const bmr_outline_pieces &m_pieces;
     const bmr_allocator *m_allocator;
-    Room<bmr_convex32_block *> m_blocks;
-    Room<bool> m_slivers;
-    Room<bmr_piece_corner32> m_corners;
+    registry::Room<bmr_convex32_block *> m_blocks;
+    registry::Room<bool> m_slivers;
+    registry::Room<bmr_piece_corner32> m_corners;
 };
 
 /// The share that makes up for the rounding of all: the largest; but none of half and more, if there is
@@ -334,14 +306,6 @@ OutlineRecord *OutlineRecordOf(const b2Shape &shape) {
 
 // Rays.
 
-namespace {
-
-const bmr_convex32_block &BlockOf(registry::Handle piece) {
-    return *registry::Find(piece).block.load(std::memory_order_relaxed);
-}
-
-} // namespace
-
 bool EntersOutline(registry::Handle piece, bmr_vec32 p1, bmr_vec32 p2, uint32_t edge, float *fraction,
                    bmr_vec32 *normal) {
     // (A piece has a reference to the record, and so to all pieces.)
@@ -350,15 +314,16 @@ bool EntersOutline(registry::Handle piece, bmr_vec32 p1, bmr_vec32 p2, uint32_t 
     const bmr_piece_ray32 ray = bmr_convex32_piece_ray(p1, p2, record.reach);
     double at = static_cast<double>(*fraction);
     bmr_vec32 corner;
-    const bmr_entry32 entry = bmr_convex32_entry(&BlockOf(piece), &ray, edge, &at, &corner);
+    const bmr_entry32 entry = bmr_convex32_entry(&registry::BlockOf(piece), &ray, edge, &at, &corner);
     if (entry != BMR_ENTRY_CORNER)
         return entry == BMR_ENTRY_FACE;
     for (uint32_t i = 0; i < record.pieceCount; ++i)
-        if (record.pieces[i] != piece && bmr_convex32_comes_through(&BlockOf(record.pieces[i]), &ray, at))
+        if (record.pieces[i] != piece &&
+            bmr_convex32_comes_through(&registry::BlockOf(record.pieces[i]), &ray, at))
             return false;
     double against = 0.0;
     for (uint32_t i = 0; i < record.pieceCount; ++i)
-        bmr_convex32_face_against(&BlockOf(record.pieces[i]), &ray, corner, &against, normal);
+        bmr_convex32_face_against(&registry::BlockOf(record.pieces[i]), &ray, corner, &against, normal);
     *fraction = static_cast<float>(at);
     return against < 0.0;
 }
@@ -374,7 +339,7 @@ double Square(const b2Vec2 &v) {
 
 /// As it is, rounded once.
 b2MassData ShareOf(registry::Handle piece, float density) {
-    const bmr_mass32 &share = registry::Find(piece).block.load(std::memory_order_relaxed)->mass;
+    const bmr_mass32 &share = registry::BlockOf(piece).mass;
     b2MassData m = {density * share.area, b2Vec2(share.centroid.x, share.centroid.y), 0.0f};
     m.I = static_cast<float>(static_cast<double>(m.mass) * Square(m.center) +
                              static_cast<double>(density) * static_cast<double>(share.inertia));

@@ -8,69 +8,19 @@
 #include <box2d/b2_world.h>
 
 #include "base/rounding_mode.h"
-#include "geometry/memory.h"
 #include "glue/contacts/contact_register.h"
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 #include "shapes/outline_record.h"
-#include "shapes/weighing.h"
 
 namespace bmr {
 
 namespace {
 
-/// Rings as core takes them, in one block of memory.
-class Rings {
-public:
-    explicit Rings(const bmr_allocator *allocator) : m_allocator(allocator) {}
-    ~Rings() {
-        if (m_memory != nullptr)
-            bmr_release(m_allocator, m_memory, m_bytes);
-    }
-    Rings(const Rings &) = delete;
-    Rings &operator=(const Rings &) = delete;
-
-    bmr_error Fill(const b2Vec2 *points, int32 count, const OutlineHole *holes, int32 holeCount) {
-        if ((points == nullptr && count > 0) || (holes == nullptr && holeCount > 0))
-            return BMR_ERROR_NULL_ARGUMENT;
-        if (count < 0 || holeCount < 0)
-            return BMR_ERROR_NEGATIVE;
-        size_t all = static_cast<size_t>(count);
-        for (int32 h = 0; h < holeCount; ++h) {
-            if (holes[h].points == nullptr && holes[h].count > 0)
-                return BMR_ERROR_NULL_ARGUMENT;
-            if (holes[h].count < 0)
-                return BMR_ERROR_NEGATIVE;
-            all += static_cast<size_t>(holes[h].count);
-        }
-        const size_t ringCount = static_cast<size_t>(holeCount) + 1;
-        m_bytes = all * sizeof(bmr_vec2) + ringCount * sizeof(uint32_t);
-        m_memory = bmr_allocate(m_allocator, m_bytes);
-        if (m_memory == nullptr)
-            return BMR_ERROR_NO_MEMORY;
-        m_points = static_cast<bmr_vec2 *>(m_memory);
-        auto *counts = reinterpret_cast<uint32_t *>(m_points + all);
-        m_rings = {m_points, counts, static_cast<uint32_t>(ringCount)};
-        Add(points, count, counts);
-        for (int32 h = 0; h < holeCount; ++h)
-            Add(holes[h].points, holes[h].count, counts + 1 + h);
-        return BMR_OK;
-    }
-
-    const bmr_rings *Get() const { return &m_rings; }
-
-private:
-    void Add(const b2Vec2 *points, int32 count, uint32_t *counted) {
-        *counted = static_cast<uint32_t>(count);
-        for (int32 i = 0; i < count; ++i)
-            *m_points++ = {static_cast<double>(points[i].x), static_cast<double>(points[i].y)};
-    }
-
-    const bmr_allocator *m_allocator;
-    size_t m_bytes = 0;
-    void *m_memory = nullptr;
-    bmr_vec2 *m_points = nullptr; ///< where the next one goes
-    bmr_rings m_rings = {};
-};
+bmr_error CheckRing(const b2Vec2 *points, int32 count) {
+    if (points == nullptr && count > 0)
+        return BMR_ERROR_NULL_ARGUMENT;
+    return count < 0 ? BMR_ERROR_NEGATIVE : BMR_OK;
+}
 
 // Of an outline's area, the part that may come or go where its points are rounded to floats. For a shape of a
 // metre within 10 km of the origin it is less.
@@ -179,9 +129,31 @@ OutlineShape::~OutlineShape() {
 
 bmr_error OutlineShape::Set(const b2Vec2 *points, int32 count, const OutlineHole *holes, int32 holeCount,
                             float tolerance, OutlineFault *fault) {
-    Rings rings(registry::GetAllocator());
-    const bmr_error error = rings.Fill(points, count, holes, holeCount);
-    return error == BMR_OK ? Set(*rings.Get(), tolerance, fault) : error;
+    if (holes == nullptr && holeCount > 0)
+        return BMR_ERROR_NULL_ARGUMENT;
+    bmr_error error = CheckRing(points, count);
+    if (error == BMR_OK && holeCount < 0)
+        error = BMR_ERROR_NEGATIVE;
+    for (int32 h = 0; error == BMR_OK && h < holeCount; ++h)
+        error = CheckRing(holes[h].points, holes[h].count);
+    if (error != BMR_OK)
+        return error;
+    size_t all = static_cast<size_t>(count) + 1; // (memory of no size is none)
+    for (int32 h = 0; h < holeCount; ++h)
+        all += static_cast<size_t>(holes[h].count);
+    const auto ringCount = static_cast<uint32_t>(holeCount) + 1;
+    registry::Room<bmr_vec2> copied(all);
+    registry::Room<uint32_t> counts(ringCount);
+    if (copied.Get() == nullptr || counts.Get() == nullptr)
+        return BMR_ERROR_NO_MEMORY;
+    bmr_vec2 *next = copied.Get();
+    for (uint32_t ring = 0; ring < ringCount; ++ring) {
+        const OutlineHole from = ring == 0 ? OutlineHole{points, count} : holes[ring - 1];
+        counts[ring] = static_cast<uint32_t>(from.count);
+        for (int32 i = 0; i < from.count; ++i)
+            *next++ = {static_cast<double>(from.points[i].x), static_cast<double>(from.points[i].y)};
+    }
+    return Set({copied.Get(), counts.Get(), ringCount}, tolerance, fault);
 }
 
 bmr_error OutlineShape::Set(const bmr_rings &rings, float tolerance, OutlineFault *fault) {
@@ -279,8 +251,7 @@ ConvexShape OutlineShape::GetPiece(int32 index) const {
 bool OutlineShape::IsInnerEdge(int32 index, int32 edge) const {
     if (edge < 0 || edge >= GetPiece(index).GetVertexCount())
         return false;
-    const bmr_convex32_block &block =
-        *registry::Find(m_record->pieces[index]).block.load(std::memory_order_relaxed);
+    const bmr_convex32_block &block = registry::BlockOf(m_record->pieces[index]);
     return block.polygon.seams != nullptr && block.seams.inner[edge] != 0;
 }
 

@@ -37,6 +37,10 @@ inline const bmr_vec32 *Vectors32(const b2Vec2 *vectors) {
     return reinterpret_cast<const bmr_vec32 *>(vectors);
 }
 
+inline const b2Vec2 *Vectors(const bmr_vec32 *vectors) {
+    return reinterpret_cast<const b2Vec2 *>(vectors);
+}
+
 /// nullptr of a fixture of another shape.
 inline const b2PolygonShape *PolygonOf(const b2Fixture &fixture) {
     return fixture.GetType() == b2Shape::e_polygon ? static_cast<const b2PolygonShape *>(fixture.GetShape())

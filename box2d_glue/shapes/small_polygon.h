@@ -3,12 +3,13 @@
 #define BOOMERANG_GLUE_SMALL_POLYGON_H
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
 #include <box2d/b2_polygon_shape.h>
 
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 
 /// @file
 /// A polygon of Box2D's own size: is it another than before, and can it be believed? A game may write to its
@@ -38,13 +39,62 @@ inline uint64_t DigestOf(const b2PolygonShape &polygon) {
     return first * kSecond ^ second;
 }
 
+namespace internal {
+
+/// Has it a side of which Box2D makes no unit vector? Clipping against such a side keeps points however far
+/// off they are, so a hull proves nothing. (b2PolygonShape::Set makes no such side, but a game may.) A NaN
+/// counts as one.
+inline bool HasSideWithoutDirection(const b2PolygonShape &polygon) {
+    constexpr float kShortest = 2.0f * b2_epsilon; // b2Vec2::Normalize's limit, far from its rounding
+    for (int32 i = 0; i < polygon.m_count; ++i) {
+        const b2Vec2 &end = polygon.m_vertices[i + 1 < polygon.m_count ? i + 1 : 0];
+        if (!((end - polygon.m_vertices[i]).LengthSquared() >= kShortest * kShortest))
+            return true;
+    }
+    return false;
+}
+
+/// Are its normals those of its sides? b2CollidePolygons goes by normals, a hull by vertices: of normals that
+/// are others the face that Box2D clips against may be any, and keeps points however far off they are.
+/// b2PolygonShape::Set tilts them by 2.2 units, and the product here is off by 3 more. Vertices that were
+/// turned and moved after their normals are off by the rounding of their place. glue/proofs/README.md has
+/// what that costs.
+inline bool HasNormalsOfItsSides(const b2PolygonShape &polygon) {
+    constexpr float kUnit = 0.5f * b2_epsilon;
+    constexpr float kTilt = 8.0f * kUnit, kLength = 16.0f * kUnit, kRounding = 8.0f * kUnit;
+    for (int32 i = 0; i < polygon.m_count; ++i) {
+        const b2Vec2 &n = polygon.m_normals[i], &v = polygon.m_vertices[i],
+                     &w = polygon.m_vertices[i + 1 < polygon.m_count ? i + 1 : 0];
+        const b2Vec2 side = w - v;
+        const float place = b2Max(v.Length(), w.Length());
+        if (!(std::fabs(n.LengthSquared() - 1.0f) <= kLength) || !(b2Cross(n, side) > 0.0f) ||
+            !(std::fabs(b2Dot(n, side)) <= kTilt * side.Length() + kRounding * place))
+            return false;
+    }
+    return true;
+}
+
+} // namespace internal
+
 /// Does b2CollidePolygons see nothing of this small polygon but its vertices' hull? Ask each time before the
 /// vertices are relied on: when a hull is built of them, and when an existing hull is checked against them.
-bool VerticesTellAll(const b2PolygonShape &polygon);
+inline bool VerticesTellAll(const b2PolygonShape &polygon) {
+    return !internal::HasSideWithoutDirection(polygon) && internal::HasNormalsOfItsSides(polygon);
+}
 
 /// Do its normals turn to the left, once around? If they do not, Box2D may report contacts with shapes that
 /// are far away. Ask only where VerticesTellAll is true.
-bool TurnsOnce(const b2PolygonShape &polygon);
+inline bool TurnsOnce(const b2PolygonShape &polygon) {
+    constexpr float kBack = 1e-5f; // what vertices that were turned and moved may be off by
+    int32 turns = 0;
+    for (int32 i = 0; i < polygon.m_count; ++i) {
+        const b2Vec2 &n = polygon.m_normals[i], &m = polygon.m_normals[i + 1 < polygon.m_count ? i + 1 : 0];
+        if (!(b2Cross(n, m) >= -kBack))
+            return false;
+        turns += n.y < 0.0f && m.y >= 0.0f;
+    }
+    return turns == 1;
+}
 
 } // namespace bmr
 

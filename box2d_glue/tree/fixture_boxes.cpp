@@ -12,7 +12,7 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
 #include "tree/box.h"

@@ -7,8 +7,7 @@
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
 #include "in_child.h"
-#include "shapes/convex_geometry.h"
-#include "shapes/convex_registry.h"
+#include "shapes/big_polygons.h"
 
 using bmr::ConvexShape;
 using namespace shapes;

@@ -11,7 +11,7 @@
 
 #include "convex32/convex32_collide.h"
 #include "glue/contacts/solid_contact.h"
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 
 class b2Contact;

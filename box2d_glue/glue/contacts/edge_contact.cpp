@@ -9,7 +9,7 @@
 #include "base/rounding_mode.h"
 #include "glue/contacts/convex_contact.h"
 #include "glue/contacts/solid_contact.h"
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
 

@@ -6,7 +6,7 @@
 
 #include "base/rounding_mode.h"
 #include "debug/statistics.h"
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
 

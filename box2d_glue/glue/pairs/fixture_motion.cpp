@@ -8,7 +8,7 @@
 #include <box2d/b2_polygon_shape.h>
 
 #include "base/private_members.h"
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 #include "shapes/small_polygon.h"
 #include "start/settings.h"

@@ -9,7 +9,7 @@
 #include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/proofs/thresholds.h"
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
 

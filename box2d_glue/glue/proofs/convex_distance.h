@@ -10,7 +10,7 @@
 
 #include "exact32/exact32.h"
 #include "glue/proofs/overlap.h"
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 
 struct b2TOIInput;
 struct b2TOIOutput;

@@ -13,7 +13,7 @@
 
 #include "debug/statistics.h"
 #include "glue/proofs/thresholds.h"
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 #include "shapes/small_polygon.h"
 #include "start/settings.h"

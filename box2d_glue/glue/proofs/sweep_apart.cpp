@@ -15,7 +15,7 @@
 #include "base/memory.h"
 #include "glue/proofs/convex_distance.h"
 #include "glue/proofs/thresholds.h"
-#include "shapes/convex_geometry.h"
+#include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 
 namespace bmr {

@@ -142,6 +142,8 @@ private:
     /// Takes over the polygon of a handle, with its reference, and shows Box2D the polygon of at most 8
     /// vertices inside it.
     void Adopt(uint32_t handle);
+    /// Takes over a polygon of at most 8 vertices, from its vertex `first` on. The skin stays.
+    void TakeSmall(const b2PolygonShape &small, int32 first);
     /// Set. Weld::Refused: points within half of b2_linearSlop of others are BMR_ERROR_TOO_CLOSE.
     enum class Weld { Allowed, Refused };
     bmr_error SetHull(const b2Vec2 *points, int32 count, Weld weld, Welded *welded);

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "shapes/convex_registry.h"
+#include "shapes/big_polygons.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <new>
 
-#include "boomerang/convex_shape.h"
-#include "shapes/convex_geometry.h"
 #include "start/install.h"
 
 namespace bmr {
 
 std::atomic<bool> internal::anyBigPolygon{false};
+std::atomic<const void *> internal::convexShapeTable{nullptr};
 
 namespace registry {
 
@@ -30,10 +27,6 @@ Handle firstUnused = 1;
 uint64_t made = 0;
 size_t count = 0;
 const bmr_allocator *allocator = nullptr;
-
-void *Allocate(size_t size) {
-    return allocator != nullptr ? allocator->allocate(allocator->context, size) : std::malloc(size);
-}
 
 /// All vertices, or as many as leave the shape room for its handle.
 Shown ShownOf(const bmr_convex32 &polygon) {
@@ -61,7 +54,7 @@ Handle TakeHandle() {
     if (chunk == kMostChunks)
         return 0;
     if (internal::chunks[chunk].load(std::memory_order_relaxed) == nullptr) {
-        void *memory = Allocate(kChunkSize * sizeof(Entry));
+        void *memory = bmr_allocate(allocator, kChunkSize * sizeof(Entry));
         if (memory == nullptr)
             return 0;
         auto *entries = static_cast<Entry *>(memory);
@@ -132,4 +125,20 @@ size_t Count() {
 }
 
 } // namespace registry
+
+const bmr_convex32_block *BigPolygonOf(const b2Shape &shape) {
+    const uint32_t handle = internal::ConvexShapeAccess::HandleOf(shape);
+    return handle != 0 ? &registry::BlockOf(handle) : nullptr;
+}
+
+uint64_t NumberOfBigPolygon(const b2Shape &shape) {
+    const uint32_t handle = internal::ConvexShapeAccess::HandleOf(shape);
+    return handle != 0 ? registry::Find(handle).number.load(std::memory_order_relaxed) : 0;
+}
+
+const bmr_convex32_block *BigPolygonOfNumber(uint64_t number) {
+    const registry::Entry *entry = registry::FindNumber(number);
+    return entry != nullptr ? entry->block.load(std::memory_order_relaxed) : nullptr;
+}
+
 } // namespace bmr
