@@ -134,10 +134,28 @@ function(_boomerang_wrap_source target renaming name_out wrapper_out)
   _boomerang_check_source(${target} "${path}" "${signs}")
   set(wrapper "${CMAKE_CURRENT_BINARY_DIR}/boomerang_${target}/${name}")
   set(renamed "${BOOMERANG_ACCELERATE_SOURCE}/plugin/renamed/${name}")
+  string(REGEX REPLACE "\\.cpp$" "" file ${name})
+  set(renames "")
+  set(ends "")
+  if(NOT EXISTS "${renamed}") # each function is called from other files alone
+    string(REGEX MATCHALL "[A-Za-z0-9]+\\(" functions "${signs}")
+    foreach(function IN LISTS functions)
+      string(REGEX REPLACE "^(b2)?(.+)\\($" "#define \\1\\2 BmrStock\\2\n" begin "${function}")
+      string(REGEX REPLACE "^(.+)\\($" "#undef \\1\n" end "${function}")
+      string(APPEND renames "${begin}")
+      string(APPEND ends "${end}")
+    endforeach()
+    set(renamed "${path}")
+  endif()
   file(CONFIGURE OUTPUT "${wrapper}" @ONLY CONTENT [[
 #define BMR_BOX2D_SOURCE "@path@"
 #include "@BOOMERANG_ACCELERATE_SOURCE@/box2d_glue/start/hook_list.h"
-#include "@renamed@"
+@renames@#include "@renamed@"
+@ends@namespace bmr {
+namespace stock {
+BMR_HOOKS_OF_@file@(BMR_DECLARE_STOCK) BMR_HOOKS_OF_@file@(BMR_DEFINE_STOCK)
+} // namespace stock
+} // namespace bmr
 ]])
   set_source_files_properties("${wrapper}" TARGET_DIRECTORY ${target} PROPERTIES
     SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON OBJECT_DEPENDS "${path};${renamed}")

@@ -12,7 +12,6 @@
 #include "boomerang/box2d_glue.h"
 #include "debug/statistics.h"
 #include "start/install.h"
-#include "start/recognise.h"
 #include "start/settings.h"
 
 namespace bmr {

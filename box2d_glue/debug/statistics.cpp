@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "start/install.h"
-#include "start/recognise.h"
 #include "start/settings.h"
 
 namespace bmr {

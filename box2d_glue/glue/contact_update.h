@@ -15,7 +15,6 @@
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
 #include "start/install.h"
-#include "start/recognise.h"
 
 /// @file
 /// What passes ask of a game, and what they ask and do of one contact.

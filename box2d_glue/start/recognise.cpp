@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "start/recognise.h"
-
+#include <algorithm>
 #include <atomic>
 #include <cfloat>
 #include <cmath>
@@ -8,7 +7,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <initializer_list>
 #include <new>
 
 #include <box2d/b2_block_allocator.h>
@@ -26,6 +24,7 @@
 
 #include "base/compiler.h"
 #include "shapes/shapes32.h"
+#include "start/install.h"
 #include "start/settings.h"
 
 namespace bmr {
@@ -38,15 +37,6 @@ const b2ContactFilter *filterOfNewWorlds = nullptr;
 
 /// The answer: of a constant, or of a hook.
 char sentence[160];
-
-struct HookInTrial {
-    const char *name;
-    bool isHeard; ///< in the trial step; Box2D has to call these
-};
-constexpr bool kHeard = true, kAny = false;
-constexpr HookInTrial kHooks[] = {
-#define BMR_NAME_HOOK(name, function, symbol, heard, result, parameters, renamed) {#function, heard},
-    BMR_HOOKS(BMR_NAME_HOOK)};
 
 thread_local bool inTrialStep = false;
 std::atomic<uint32_t> noted{0}; ///< a bit for each hook that was called in the trial step
@@ -72,32 +62,27 @@ constexpr size_t BlockSize(size_t size) {
     return size;
 }
 
-/// The block that Box2D's allocator hands out next for an object of class T, each of its bytes known.
-template <typename T> class NextBlock {
-public:
-    explicit NextBlock(b2BlockAllocator *allocator) {
-        m_block = allocator->Allocate(static_cast<int32>(kBytes));
-        std::memset(m_block, kUntouched, kBytes);
-        allocator->Free(m_block, static_cast<int32>(kBytes));
-    }
-
-    /// Did `object` get the block, and is the part behind a T unwritten? (Reads to the end of the block; the
-    /// address sanitizer would allow no more than the bytes of a T.)
-    BMR_NOT_FOR_ADDRESS_SANITIZER bool HoldsNoMoreThan(const T *object) const {
-        constexpr unsigned char kFreedForDebugging = 0xfd; // what Free writes with _DEBUG
-        if (object != m_block)
+/// Are these bytes as they were before Box2D could write there? (The address sanitizer allows no more than
+/// the bytes of an object.)
+BMR_NOT_FOR_ADDRESS_SANITIZER bool AreUntouched(const void *block, size_t from, size_t to) {
+    constexpr unsigned char kFreedForDebugging = 0xfd; // what b2BlockAllocator::Free writes with _DEBUG
+    const auto *bytes = static_cast<const volatile unsigned char *>(block);
+    for (size_t i = from; i < to; ++i)
+        if (bytes[i] != kUntouched && bytes[i] != kFreedForDebugging)
             return false;
-        const auto *bytes = static_cast<const volatile unsigned char *>(m_block);
-        for (size_t i = sizeof(T); i < kBytes; ++i)
-            if (bytes[i] != kUntouched && bytes[i] != kFreedForDebugging)
-                return false;
-        return true;
-    }
+    return true;
+}
 
-private:
-    static constexpr size_t kBytes = BlockSize(sizeof(T));
-    void *m_block;
-};
+/// Has Box2D an object of class T made. Returns it if it got the block that Box2D's allocator hands out next
+/// for a T, and if the part of the block behind a T is unwritten; else nullptr.
+template <typename T, typename Make> T *MakeInItsBlock(b2BlockAllocator *allocator, Make make) {
+    constexpr size_t kBytes = BlockSize(sizeof(T));
+    void *const block = allocator->Allocate(static_cast<int32>(kBytes));
+    std::memset(block, kUntouched, kBytes);
+    allocator->Free(block, static_cast<int32>(kBytes));
+    T *const made = make();
+    return made == block && AreUntouched(block, sizeof(T), kBytes) ? made : nullptr;
+}
 
 /// A definition with zeros behind it: a Box2D whose own is larger reads zeros there. All others of its fields
 /// are zero, too.
@@ -107,25 +92,30 @@ template <typename Def> struct ZeroDef {
     alignas(Def) unsigned char room[sizeof(Def) + 256];
 };
 
+constexpr const char *kOtherWorld = "b2World has not the size that it has in 2.4.1",
+                     *kOtherShape = "b2PolygonShape has not the size that it has in 2.4.1";
+
 // A record that is too large writes behind ours; one that is too small leaves our last member unwritten.
 
 /// Bodies and fixtures end with what a game's own settings may make of their user data.
 const char *WhyRecordsAreOthers(b2World *world, const b2PolygonShape &box) {
     b2BlockAllocator *allocator = world->GetContactManager().m_allocator;
-    const NextBlock<b2Body> blockOfBody(allocator);
-    b2Body *body = world->CreateBody(ZeroDef<b2BodyDef>().Get());
-    if (!blockOfBody.HoldsNoMoreThan(body) || body->GetUserData().pointer != 0)
+    b2Body *body =
+        MakeInItsBlock<b2Body>(allocator, [&] { return world->CreateBody(ZeroDef<b2BodyDef>().Get()); });
+    if (body == nullptr || body->GetUserData().pointer != 0)
         return "b2Body or its user data have not the size that they have in 2.4.1";
-    const NextBlock<b2Fixture> blockOfFixture(allocator);
-    ZeroDef<b2FixtureDef> def;
-    def.Get()->shape = &box;
-    b2Fixture *fixture = body->CreateFixture(def.Get());
-    if (!blockOfFixture.HoldsNoMoreThan(fixture) || fixture->GetUserData().pointer != 0)
+    b2Fixture *fixture = MakeInItsBlock<b2Fixture>(allocator, [&] {
+        ZeroDef<b2FixtureDef> def;
+        def.Get()->shape = &box;
+        return body->CreateFixture(def.Get());
+    });
+    if (fixture == nullptr || fixture->GetUserData().pointer != 0)
         return "b2Fixture or its user data have not the size that they have in 2.4.1";
-    const NextBlock<b2PolygonShape> blockOfShape(allocator);
-    const auto *shape = static_cast<const b2PolygonShape *>(box.Clone(allocator)); // it ends with the world
-    if (!blockOfShape.HoldsNoMoreThan(shape) || shape->m_count != box.m_count)
-        return "b2PolygonShape has not the size that it has in 2.4.1";
+    const auto *shape = MakeInItsBlock<b2PolygonShape>(allocator, [&] { // it ends with the world
+        return static_cast<b2PolygonShape *>(box.Clone(allocator));
+    });
+    if (shape == nullptr || shape->m_count != box.m_count)
+        return kOtherShape;
     world->DestroyBody(body);
     return nullptr;
 }
@@ -149,10 +139,11 @@ const char *WhyContactsAreOthers(b2World *world, const b2PolygonShape &box) {
     fixtureDef.shape = &box;
     for (int i = 0; i < 2; ++i)
         world->CreateBody(&def)->CreateFixture(&fixtureDef);
-    const NextBlock<b2Contact> block(manager.m_allocator);
-    manager.FindNewContacts();
-    const b2Contact *contact = world->GetContactList();
-    return contact != nullptr && block.HoldsNoMoreThan(contact) && contact->GetTangentSpeed() == 0.0f
+    const b2Contact *contact = MakeInItsBlock<b2Contact>(manager.m_allocator, [&] {
+        manager.FindNewContacts();
+        return world->GetContactList();
+    });
+    return contact != nullptr && contact->GetTangentSpeed() == 0.0f
                ? nullptr
                : "b2Contact has not the size that it has in 2.4.1";
 }
@@ -183,14 +174,9 @@ bool JointsAreRight(b2World *world) {
     return true;
 }
 
-struct Constant {
-    const char *name;
-    float here, expected;
-};
-
-const char *IsAnother(const Constant &constant) {
+const char *IsAnother(const char *constant, float here, float expected) {
     std::snprintf(sentence, sizeof sentence, "%s is %.5g here, %.5g in the Box2D this was built for",
-                  constant.name, static_cast<double>(constant.here), static_cast<double>(constant.expected));
+                  constant, static_cast<double>(here), static_cast<double>(expected));
     return sentence;
 }
 
@@ -202,14 +188,13 @@ const char *WhyVerticesAreOthers(b2PolygonShape *shape) {
         return nullptr;
     // Behind as many vertices as there are in this Box2D stand the normals.
     const auto *bytes = reinterpret_cast<const unsigned char *>(shape->m_vertices);
-    const size_t most = kMargin / sizeof(b2Vec2);
-    for (size_t i = 4; i < most; ++i) {
+    for (size_t i = 4; i < kMargin / sizeof(b2Vec2); ++i) {
         b2Vec2 there;
         std::memcpy(&there, bytes + i * sizeof there, sizeof there);
         if (there == firstNormal && i != b2_maxPolygonVertices)
-            return IsAnother({"b2_maxPolygonVertices", static_cast<float>(i), b2_maxPolygonVertices});
+            return IsAnother("b2_maxPolygonVertices", static_cast<float>(i), b2_maxPolygonVertices);
     }
-    return "b2PolygonShape has not the size that it has in 2.4.1";
+    return kOtherShape;
 }
 
 /// How far the fat box of a point reaches.
@@ -242,46 +227,34 @@ float MeasureSlop() {
 }
 
 const char *WhyConstantsAreOthers(b2BroadPhase *broadPhase) {
-    const Constant extension = {"b2_aabbExtension", MeasureExtension(broadPhase), b2_aabbExtension};
-    const Constant slop = {"b2_linearSlop", MeasureSlop(), b2_linearSlop};
-    // Does one factor make the second of both?
+    const float extension = MeasureExtension(broadPhase), slop = MeasureSlop(),
+                factor = extension / b2_aabbExtension;
+    if (extension == b2_aabbExtension) // slop: to a few units in the last place of the way of the point
+        return std::fabs(slop - b2_linearSlop) <= 4.0f * FLT_EPSILON * kTrialMetre
+                   ? nullptr
+                   : IsAnother("b2_linearSlop", slop, b2_linearSlop);
     constexpr float kError = 1e-3f;
-    const float factor = extension.here / extension.expected;
-    if (extension.here != extension.expected)
-        return std::fabs(slop.here / slop.expected - factor) <= kError * factor
-                   ? IsAnother(
-                         {"b2_lengthUnitsPerMeter", factor * b2_lengthUnitsPerMeter, b2_lengthUnitsPerMeter})
-                   : IsAnother(extension);
-    // Measured to a few units in the last place of a metre, the distance over which the point flies.
-    return std::fabs(slop.here - slop.expected) <= 4.0f * FLT_EPSILON * kTrialMetre ? nullptr
-                                                                                    : IsAnother(slop);
+    if (std::fabs(slop / b2_linearSlop - factor) <= kError * factor) // one factor makes the second of both
+        return IsAnother("b2_lengthUnitsPerMeter", factor * b2_lengthUnitsPerMeter, b2_lengthUnitsPerMeter);
+    return IsAnother("b2_aabbExtension", extension, b2_aabbExtension);
 }
 
-const char *WhyContentsAreUnknown(b2World &world, b2PolygonShape *box) {
-    auto &manager = const_cast<b2ContactManager &>(world.GetContactManager());
+const char *WhyWorldIsUnknown(b2World *world, b2PolygonShape *box) {
+    // The constructor of b2World ends with its last member, a b2Profile of zeros.
+    const b2Profile &profile = world->GetProfile();
+    if (!AreUntouched(world, sizeof(b2World), sizeof(b2World) + kMargin) || profile.step != 0.0f ||
+        profile.broadphase != 0.0f || profile.solveTOI != 0.0f)
+        return kOtherWorld;
     const char *why = WhyVerticesAreOthers(box);
     if (why == nullptr)
-        why = WhyRecordsAreOthers(&world, *box);
-    if (why == nullptr && !JointsAreRight(&world))
+        why = WhyRecordsAreOthers(world, *box);
+    if (why == nullptr && !JointsAreRight(world))
         why = "b2JointUserData has not the size that it has in 2.4.1";
     if (why == nullptr)
-        why = WhyConstantsAreOthers(&manager.m_broadPhase);
+        why = WhyConstantsAreOthers(const_cast<b2BroadPhase *>(&world->GetContactManager().m_broadPhase));
     if (why == nullptr)
-        why = WhyContactsAreOthers(&world, *box);
-    if (why == nullptr)
-        StepWatched(&world);
+        why = WhyContactsAreOthers(world, *box);
     return why;
-}
-
-/// The constructor of b2World ends with its last member, a b2Profile of zeros.
-const char *WhyWorldIsUnknown(const unsigned char *room, b2World &world, b2PolygonShape *box) {
-    for (size_t i = sizeof(b2World); i < sizeof(b2World) + kMargin; ++i)
-        if (room[i] != kUntouched)
-            return "b2World has not the size that it has in 2.4.1";
-    const b2Profile &profile = world.GetProfile();
-    if (profile.step != 0.0f || profile.broadphase != 0.0f || profile.solveTOI != 0.0f)
-        return "b2World has not the size that it has in 2.4.1";
-    return WhyContentsAreUnknown(world, box);
 }
 
 /// Room for one world and one polygon of another size than expected.
@@ -339,9 +312,9 @@ const char *WhyBox2DIsUnknown() {
     std::memset(trial.room + b2_stackSize, kUntouched, sizeof trial.room - b2_stackSize);
     std::memset(trial.polygon, kUntouched, sizeof trial.polygon);
     b2World *world = new (trial.room) b2World(b2Vec2(0.0f, -10.0f));
-    const char *why = WhyWorldIsUnknown(trial.room, *world, new (trial.polygon) b2PolygonShape());
-    if (why != nullptr) // a world of another kind is not to be trusted with its own end: it stays
-        return why;
+    if (const char *why = WhyWorldIsUnknown(world, new (trial.polygon) b2PolygonShape()))
+        return why; // a world of another kind is not to be trusted with its own end: it stays
+    StepWatched(world);
     listenerOfNewWorlds = world->GetContactManager().m_contactListener;
     filterOfNewWorlds = world->GetContactManager().m_contactFilter;
     world->~b2World();
@@ -377,7 +350,7 @@ struct TwoPolygons {
     static constexpr float kSize = b2_lengthUnitsPerMeter;
 };
 
-/// Two manifolds, one of Box2D's and one of ours: nothing in them yet.
+/// Two manifolds, Box2D's and ours: nothing in them yet.
 struct TwoManifolds {
     TwoManifolds() { std::memset(static_cast<void *>(this), 0, sizeof *this); }
     bool AreTheSame() const {
@@ -387,14 +360,8 @@ struct TwoManifolds {
     b2Manifold box2d, ours;
 };
 
-/// How many of the probes gave so many points.
-struct Probed {
-    int points[3] = {};
-    /// Were there enough of each kind among so many?
-    bool IsEnough(int probes) const {
-        return points[0] >= probes / 16 && points[1] >= probes / 16 && points[2] >= probes / 16;
-    }
-};
+/// How many probes found no point, one and two.
+using Probed = int[3];
 
 bool PolygonsAgree(int i, Probed *probed) {
     const TwoPolygons two(i);
@@ -403,7 +370,7 @@ bool PolygonsAgree(int i, Probed *probed) {
     b2CollidePolygons(&made.box2d, &two.a, two.xfA, &two.b, two.xfB);
     bmr_exact32_collide(Manifold32(&made.ours), &a, Transform32(two.xfA), &b, Transform32(two.xfB),
                         two.a.m_radius + two.b.m_radius, 0.1f * b2_linearSlop);
-    ++probed->points[made.box2d.pointCount];
+    ++(*probed)[made.box2d.pointCount];
     return made.AreTheSame();
 }
 
@@ -425,7 +392,7 @@ bool EdgeAgrees(int i, Probed *probed) {
             b2Mul(xfB.q, polygon.m_vertices[i % polygon.m_count]);
     TwoManifolds made;
     b2CollideEdgeAndPolygon(&made.box2d, &edge, shapes.xfA, &polygon, xfB);
-    ++probed->points[made.box2d.pointCount];
+    ++(*probed)[made.box2d.pointCount];
     const bmr_polygon32 other = Polygon32(polygon);
     const bmr_edge32 link = Edge32(edge);
     return bmr_exact32_collide_edge(Manifold32(&made.ours), &link, Transform32(shapes.xfA), &other,
@@ -434,14 +401,14 @@ bool EdgeAgrees(int i, Probed *probed) {
            made.AreTheSame();
 }
 
-/// True if all probes agree, and enough of them gave no point, one and two.
+/// True if all probes agree, and enough of them found no point, one and two.
 bool AllAgree(bool (*agrees)(int, Probed *)) {
     constexpr int kProbes = 96;
-    Probed probed;
+    Probed probed = {};
     for (int i = 0; i < kProbes; ++i)
         if (!agrees(i, &probed))
             return false;
-    return probed.IsEnough(kProbes);
+    return *std::min_element(probed, probed + 3) >= kProbes / 16;
 }
 
 } // namespace
@@ -466,17 +433,22 @@ bool IsInTrialStep() {
 }
 
 const char *WhichHookIsNotCalled() {
-    uint32_t hook = 0;
-    for (const HookInTrial &listed : kHooks) {
-        if (listed.isHeard && (noted.load(std::memory_order_relaxed) >> hook & 1) == 0) {
+    constexpr bool kHeard = true, kAny = false;
+    constexpr struct {
+        const char *name;
+        bool isHeard; ///< in the trial step; Box2D has to call these
+    } kHooks[] = {
+#define BMR_NAME_HOOK(name, function, symbol, heard, result, parameters, renamed) {#function, heard},
+        BMR_HOOKS(BMR_NAME_HOOK)};
+    const uint32_t called = noted.load(std::memory_order_relaxed);
+    for (uint32_t hook = 0; hook < static_cast<uint32_t>(HookOf::Count); ++hook)
+        if (kHooks[hook].isHeard && (called >> hook & 1) == 0) {
             std::snprintf(sentence, sizeof sentence,
                           "Box2D does not call Boomerang's %s. Link boomerang::box2d ahead of it, or use "
                           "boomerang_accelerate()",
-                          listed.name);
+                          kHooks[hook].name);
             return sentence;
         }
-        ++hook;
-    }
     return nullptr;
 }
 

@@ -91,8 +91,6 @@ inline bool PairsAreHulls() {
 
 /// Takes the options over; called once, by Install.
 void MakeSettings(const Options &options);
-/// From here on the hooks answer. The last thing that Install does.
-void ActivateHooks();
 
 /// Process-wide.
 Counts &GetCounts();

@@ -5,7 +5,6 @@
 #include <atomic>
 
 #include "start/install.h"
-#include "start/recognise.h"
 
 /// @file
 /// How the plugin starts where the program does not call bmr::Install: at the program's first b2World::Step.

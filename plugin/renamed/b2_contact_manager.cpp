@@ -21,11 +21,3 @@
 #include BMR_BOX2D_SOURCE
 #undef FindNewContacts
 #undef Destroy
-
-namespace bmr {
-namespace stock {
-
-BMR_HOOKS_OF_b2_contact_manager(BMR_DECLARE_STOCK) BMR_HOOKS_OF_b2_contact_manager(BMR_DEFINE_STOCK)
-
-} // namespace stock
-} // namespace bmr

@@ -30,11 +30,3 @@ static inline float BmrStockDistance(const b2Vec2 &a, const b2Vec2 &b) {
 void b2DistanceProxy::Set(const b2Vec2 *vertices, int32 count, float radius) {
     BmrStockSet(vertices, count, radius);
 }
-
-namespace bmr {
-namespace stock {
-
-BMR_HOOKS_OF_b2_distance(BMR_DECLARE_STOCK) BMR_HOOKS_OF_b2_distance(BMR_DEFINE_STOCK)
-
-} // namespace stock
-} // namespace bmr

@@ -29,11 +29,3 @@ BMR_HOOKS_OF_b2_fixture(BMR_DECLARE_STOCK)
 #undef Refilter
 #undef SetFilterData
 #undef Synchronize
-
-namespace bmr {
-namespace stock {
-
-BMR_HOOKS_OF_b2_fixture(BMR_DEFINE_STOCK)
-
-} // namespace stock
-} // namespace bmr

@@ -2,17 +2,18 @@
 // How hooks are reached where Box2D is compiled with the plugin (boomerang_accelerate,
 // cmake/BoomerangAccelerate.cmake).
 //
-// Each file of this folder replaces the source of Box2D's that has the same name: it gives some functions
-// that the source defines other names (BmrStock...), includes the source as it is (BMR_BOX2D_SOURCE), and
+// A source of Box2D's that defines what hooks stand in front of is compiled through a file that CMake writes.
+// It gives these functions other names (BmrStock...), includes the source as it is (BMR_BOX2D_SOURCE), and
 // defines the functions of bmr::stock (hooks/stock.h, start/hook_list.h) that call them. All other files of
-// Box2D call Box2D's names, which hooks/ defines. Members that only this file has do not change how a class
+// Box2D call Box2D's names, which hooks/ defines. Members that only such a file has do not change how a class
 // is laid out.
 //
-// Most functions are called from other files alone, and one `#define` renames them. Those that their own
-// source calls, too, keep their name in calls and get another one where they are defined. The first word in
-// parentheses tells them apart: `#define Destroy(...) BMR_DESTROY_##__VA_ARGS__)` makes one name of it and of
-// the word. The definition's is a type, a call's a variable. For each word that is known there is a
-// definition of that name; a source with another word does not compile.
+// Functions that are called from other files alone CMake's file renames with one `#define` each. Where there
+// is more to do, it includes the file of this folder that has the source's name, in place of the source.
+// Functions that their own source calls, too, keep their name in calls and get another one where they are
+// defined. The first word in parentheses tells them apart: `#define Destroy(...) BMR_DESTROY_##__VA_ARGS__)`
+// makes one name of it and of the word. The definition's is a type, a call's a variable. For each word that
+// is known there is a definition of that name; a source with another word does not compile.
 //
 // All is C++11, and compiled as the rest of Box2D is.
 //
@@ -76,11 +77,3 @@ void NoteWorldEnds(b2World *world);
 #undef DrawShape
 #undef DestroyJoint
 #undef b2World
-
-namespace bmr {
-namespace stock {
-
-BMR_HOOKS_OF_b2_world(BMR_DECLARE_STOCK) BMR_HOOKS_OF_b2_world(BMR_DEFINE_STOCK)
-
-} // namespace stock
-} // namespace bmr

@@ -4,7 +4,7 @@
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
 #include "convex_ground.h"
-#include "start/recognise.h"
+#include "start/install.h"
 
 using bmr::ConvexShape;
 using namespace as_stock;

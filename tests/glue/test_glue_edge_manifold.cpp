@@ -9,7 +9,7 @@
 #include "box2d_shapes.h"
 #include "glue/contacts/edge_contact.h"
 #include "shapes/shapes32.h"
-#include "start/recognise.h"
+#include "start/install.h"
 
 using namespace as_stock;
 

@@ -9,7 +9,6 @@
 
 #include "as_stock.h"
 #include "start/install.h"
-#include "start/recognise.h"
 #include "start/settings.h"
 
 using namespace as_stock;

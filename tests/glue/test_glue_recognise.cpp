@@ -11,7 +11,7 @@
 #if defined(IN_CHILD_ASAN)
 #    include <sanitizer/lsan_interface.h>
 #endif
-#include "start/recognise.h"
+#include "start/install.h"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include "convex32_reference.h"
 #include "exact32/exact32.h"
 #include "shapes/shapes32.h"
-#include "start/recognise.h"
+#include "start/install.h"
 
 namespace {
 

@@ -10,7 +10,6 @@
 #include "glue/contacts/edge_contact.h"
 #include "glue/contacts/polygon_contact.h"
 #include "start/install.h"
-#include "start/recognise.h"
 
 namespace bmr {
 

@@ -9,7 +9,7 @@
 
 #include "convex32/convex32_distance.h"
 #include "shapes/shapes32.h"
-#include "start/recognise.h"
+#include "start/install.h"
 
 namespace bmr {
 
