@@ -44,7 +44,7 @@ typedef struct pair {
     bmr_condition condition; ///< FAIL: itself
     double searched;         ///< nothing happens until then but what the queue has
     double from;             ///< when it was last repaired
-    double rhythm;           ///< about the time between its last events
+    double period;           ///< about the time between its last events
     double burst_start;
     unsigned burst;
     unsigned retries; ///< LEAVE: of the structure's start
@@ -107,7 +107,7 @@ static bmr_error search(bmr_simulation *s, pair *p, double to) {
     const double target = s->def.kds.margin + s->def.kds.hysteresis;
     double from = p->from;
     double window =
-        fmax(LEAST_PART * (to - from), p->rhythm > 0.0 ? AHEAD * p->rhythm : FIRST_PART * (to - from));
+        fmax(LEAST_PART * (to - from), p->period > 0.0 ? AHEAD * p->period : FIRST_PART * (to - from));
     for (; from < to; window *= 2.0) {
         double end = fmin(to, fmax(from + window, nextafter(from, INFINITY)));
         const double jump = bmr_pair_next_jump(&motion, from, end);
@@ -192,7 +192,7 @@ static bool repair(bmr_simulation *s, pair *p, double time) {
     bmr_kds_get_proof(p->kds, &event.before);
     bmr_kds_repair(p->kds, &now, p->failing, &event.report);
     s->counts.external += event.report.kind == BMR_KDS_CONTACT;
-    p->rhythm = fmax(later - p->from, 0.5 * p->rhythm);
+    p->period = fmax(later - p->from, 0.5 * p->period);
     p->from = later;
     observe(s, p, &event);
     return true;

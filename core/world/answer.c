@@ -15,6 +15,127 @@
 /// down to what structures can prove is what a pile has to come loose in.
 #define JAMMED 3u
 
+// ---- sticking ----
+//
+// What sticks together moves as one: were the two of a contact alone to get one velocity, a third one that
+// sticks to them would come nearer again, and so on, at ever smaller speeds.
+
+/// All that stick together with the two of a pair, linked by `gathered`, which ends with the last one
+/// itself. Whatever has an infinite mass is one of them, but who sticks to it on the other side is not: what
+/// happens here does not move it.
+static bmr_world_body *gather(bmr_body_pair *c) {
+    bmr_world_body *const first = c->side[0], *last = c->side[1];
+    first->gathered = last;
+    last->gathered = last;
+    bmr_world_body *r = first;
+    for (bool more = true; more; r = r->gathered) {
+        for (bmr_body_pair *link = isinf(r->mass) ? NULL : r->first; link;
+             link = link->after[bmr_body_pair_side(link, r)]) {
+            bmr_world_body *const other = link->side[1 - bmr_body_pair_side(link, r)];
+            if (!link->stuck || other->gathered)
+                continue;
+            last->gathered = other;
+            other->gathered = other;
+            last = other;
+        }
+        more = r != r->gathered;
+    }
+    return first;
+}
+
+static bmr_world_body *next(const bmr_world_body *r) {
+    return r->gathered == r ? NULL : r->gathered;
+}
+
+/// Two lists, each by birth, in one. Either may be empty.
+static bmr_world_body *merge(bmr_world_body *a, bmr_world_body *b) {
+    bmr_world_body *first = NULL, *last = NULL;
+    while (a || b) {
+        bmr_world_body **const from = !b || (a && a->birth < b->birth) ? &a : &b;
+        bmr_world_body *const r = *from;
+        *from = next(r);
+        if (last)
+            last->gathered = r;
+        else
+            first = r;
+        last = r;
+        r->gathered = r;
+    }
+    return first;
+}
+
+/// The list by birth. The order in which pairs were linked depends on who found whom when: a sum of
+/// momenta in that order would have other roundings in a world without cells.
+static bmr_world_body *by_birth(bmr_world_body *list) {
+    bmr_world_body *runs[8 * sizeof(size_t)] = {NULL}; // runs[i]: empty, or 2^i long
+    for (bmr_world_body *r = list, *after; r; r = after) {
+        after = next(r);
+        r->gathered = r;
+        bmr_world_body *run = r;
+        size_t i = 0;
+        for (; runs[i]; runs[i++] = NULL)
+            run = merge(runs[i], run);
+        runs[i] = run;
+    }
+    bmr_world_body *sorted = NULL;
+    for (size_t i = 0; i < 8 * sizeof(size_t); i++)
+        sorted = merge(runs[i], sorted);
+    return sorted;
+}
+
+static bmr_pose pose_of(const bmr_world *w, bmr_world_body *r, bmr_vec2 *velocity) {
+    const bmr_motion motion = bmr_motion_of_piece(&r->now);
+    return bmr_motion_pose(&motion, w->time, velocity, NULL);
+}
+
+/// The velocity of the common centre of mass, or of who has an infinite one. False: two of those that go
+/// different ways, or one that is nowhere.
+static bool common_velocity(const bmr_world *w, bmr_world_body *first, bmr_vec2 *velocity) {
+    double mass = 0.0;
+    bmr_vec2 momentum = {0.0, 0.0};
+    bool fixed = false;
+    for (bmr_world_body *r = first; r; r = next(r)) {
+        bmr_vec2 own;
+        const bmr_pose pose = pose_of(w, r, &own);
+        if (!isfinite(pose.position.x) || !isfinite(pose.position.y) || !isfinite(pose.c) ||
+            !isfinite(pose.s) || !isfinite(own.x) || !isfinite(own.y))
+            return false;
+        if (isfinite(r->mass)) {
+            mass += r->mass;
+            momentum = bmr_add(momentum, bmr_scale(r->mass, own));
+        } else if (!fixed) {
+            fixed = true;
+            *velocity = own;
+        } else if (own.x != velocity->x || own.y != velocity->y)
+            return false;
+    }
+    if (!fixed)
+        *velocity = bmr_scale(1.0 / mass, momentum);
+    return mass > 0.0 && isfinite(velocity->x) && isfinite(velocity->y);
+}
+
+/// Gives both of the pair, and all that sticks to them, one velocity and no spin. False: they cannot be
+/// moved, or not to one velocity; nothing changed.
+static bool stick(bmr_world *w, bmr_body_pair *c) {
+    bmr_world_body *const first = by_birth(gather(c));
+    bmr_vec2 velocity;
+    const bool can = common_velocity(w, first, &velocity);
+    w->sticking = true;
+    for (bmr_world_body *r = first, *after; r; r = after) {
+        after = next(r);
+        r->gathered = NULL;
+        if (!can || (isinf(r->mass) && isinf(r->inertia)))
+            continue;
+        const bmr_motion_piece piece = bmr_piece_screw(w->time, pose_of(w, r, NULL), velocity, 0.0);
+        bmr_body_move(w, r, &piece, INFINITY, NULL); // from where it is: no memory is asked for
+    }
+    w->sticking = false;
+    c->stuck = can;
+    return can;
+}
+
+// ---- answers ----
+
 /// Both bodies' velocities, which an answer changes.
 typedef struct momentum {
     bmr_pose pose[2];
@@ -22,7 +143,7 @@ typedef struct momentum {
     double spin[2];
 } momentum;
 
-static momentum momentum_of(const bmr_world *w, const bmr_couple *c) {
+static momentum momentum_of(const bmr_world *w, const bmr_body_pair *c) {
     momentum m;
     for (int i = 0; i < 2; i++) {
         const bmr_motion motion = bmr_motion_of_piece(&c->side[i]->now);
@@ -37,7 +158,7 @@ static size_t fastest(const bmr_contact *contact) {
 }
 
 /// How much the approach at point k changes by a unit of impulse along the normal there.
-static double ease(const bmr_couple *c, const bmr_touch *touch, size_t k) {
+static double ease(const bmr_body_pair *c, const bmr_touch *touch, size_t k) {
     double sum = 0.0;
     for (int body = 0; body < 2; body++) {
         const double turn = bmr_cross(touch->arm[body][k], touch->contact.normal);
@@ -46,7 +167,7 @@ static double ease(const bmr_couple *c, const bmr_touch *touch, size_t k) {
     return sum;
 }
 
-static void push(const bmr_couple *c, const bmr_touch *touch, size_t k, double impulse, momentum *m) {
+static void push(const bmr_body_pair *c, const bmr_touch *touch, size_t k, double impulse, momentum *m) {
     const bmr_vec2 normal = touch->contact.normal;
     for (int body = 0; body < 2; body++) {
         const double own = body == 0 ? -impulse : impulse;
@@ -62,7 +183,8 @@ static void push(const bmr_couple *c, const bmr_touch *touch, size_t k, double i
 /// They are found as their sum, and half their difference, from the approach at the stretch's middle and the
 /// difference of those at its ends. So what is left of the approaches is rounding, however short the stretch
 /// is: the equations of its two ends become one and the same as it shrinks.
-static bool two_impulses(const bmr_couple *c, const bmr_touch *touch, double restitution, double impulse[2]) {
+static bool two_impulses(const bmr_body_pair *c, const bmr_touch *touch, double restitution,
+                         double impulse[2]) {
     const double *approach = touch->contact.approach;
     if (touch->contact.count < 2 || !(approach[0] < 0.0) || !(approach[1] < 0.0))
         return false;
@@ -95,7 +217,7 @@ static bool two_impulses(const bmr_couple *c, const bmr_touch *touch, double res
 /// rebound as fast as they came, and those of a jammed pair at zeno_speed at least, where they came as fast:
 /// twice that for each further halving of the margin, as a spring that is pressed together.
 static double bounce_of(const bmr_world *w, const bmr_near *n, double restitution, double speed) {
-    const unsigned halvings = n->rung / bmr_rungs_a_halving(w);
+    const unsigned halvings = n->level / bmr_levels_a_halving(w);
     if (w->def.zeno != BMR_ZENO_ELASTIC || (speed >= w->def.zeno_speed && halvings < JAMMED))
         return restitution;
     const double most = ldexp(w->def.zeno_speed, halvings > JAMMED ? (int)(halvings - JAMMED) : 0);
@@ -103,7 +225,7 @@ static double bounce_of(const bmr_world *w, const bmr_near *n, double restitutio
 }
 
 /// False: the two cannot be moved.
-static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_touch *touch, momentum *m,
+static bool collide(bmr_world *w, const bmr_body_pair *c, double restitution, bmr_touch *touch, momentum *m,
                     bool *changed) {
     const double first = touch->contact.approach[fastest(&touch->contact)];
     *changed = false;
@@ -139,14 +261,14 @@ static bool collide(bmr_world *w, const bmr_couple *c, double restitution, bmr_t
 }
 
 /// Both bodies go on from where they are.
-static bmr_error set_momentum(bmr_world *w, bmr_couple *c, const momentum *m) {
+static bmr_error set_momentum(bmr_world *w, bmr_body_pair *c, const momentum *m) {
     for (int i = 0; i < 2; i++) {
-        bmr_resident *const r = c->side[i];
+        bmr_world_body *const r = c->side[i];
         if (isinf(r->mass) && isinf(r->inertia))
             continue;
         const bmr_motion_piece piece = bmr_piece_screw(w->time, m->pose[i], m->velocity[i], m->spin[i]);
-        const bmr_error error = bmr_resident_move(w, r, &piece, INFINITY, NULL);
-        if (error != BMR_OK || !w->busy) // the latter: its pose jumped, and the couple is gone
+        const bmr_error error = bmr_body_move(w, r, &piece, INFINITY, NULL);
+        if (error != BMR_OK || !w->busy) // the latter: its pose jumped, and the pair is gone
             return error;
     }
     return BMR_OK;
@@ -163,41 +285,41 @@ static bool makes_sense(const bmr_response *response) {
             (response->restitution >= 0.0 && response->restitution <= 1.0));
 }
 
-static bmr_error answer(bmr_world *w, bmr_couple *c, const bmr_response *response, bmr_touch *touch) {
+static bmr_error answer(bmr_world *w, bmr_body_pair *c, const bmr_response *response, bmr_touch *touch) {
     momentum m = momentum_of(w, c);
     bmr_touch_move(touch, m.velocity, m.spin); // a callback may have changed them
     bool can = response->kind != BMR_RESPONSE_PASS && is_pose(&m.pose[0]) && is_pose(&m.pose[1]),
          changed = false;
     if (!can)
-        return bmr_couple_pass(w, c);
+        return bmr_body_pair_pass(w, c);
     if (response->kind == BMR_RESPONSE_IMPULSE)
         can = collide(w, c, response->restitution, touch, &m, &changed);
     else if (response->kind == BMR_RESPONSE_STICK) {
-        can = bmr_stick(w, c);
+        can = stick(w, c);
         m = momentum_of(w, c);
         bmr_touch_move(touch, m.velocity, m.spin);
     }
     if (!can)
-        return bmr_couple_pass(w, c);
+        return bmr_body_pair_pass(w, c);
     if (changed) {
         const bmr_error error = set_momentum(w, c, &m);
         if (!w->busy) // a pose that is none: the pair was given up
             return error;
         if (error != BMR_OK) {
-            bmr_couple_pass(w, c);
+            bmr_body_pair_pass(w, c);
             return error;
         }
         bmr_touch_move(touch, m.velocity, m.spin);
     }
     const bmr_contact *contact = &touch->contact;
-    return bmr_couple_resume(w, c, contact->placed, contact->approach[fastest(contact)]);
+    return bmr_body_pair_resume(w, c, contact->placed, contact->approach[fastest(contact)]);
 }
 
-bmr_error bmr_contact_tell(bmr_world *w, bmr_couple *c, bool placed) {
+bmr_error bmr_contact_tell(bmr_world *w, bmr_body_pair *c, bool placed) {
     bmr_touch touch;
     bmr_touch_describe(w, c, placed, &touch);
-    // While it is told nothing is due of this couple, and it is as one that passes.
-    bmr_couple_hold(w, c);
+    // While it is told nothing is due of this pair, and it is as one that passes.
+    bmr_body_pair_hold(w, c);
     bmr_response response = w->def.response;
     if (w->def.contact) {
         w->busy = c;
@@ -208,11 +330,11 @@ bmr_error bmr_contact_tell(bmr_world *w, bmr_couple *c, bool placed) {
     }
     bmr_error error = BMR_OK;
     if (c && !makes_sense(&response)) {
-        bmr_couple_pass(w, c);
-        error = bmr_couple_stop(w, c, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_ANSWER);
+        bmr_body_pair_pass(w, c);
+        error = bmr_body_pair_stop(w, c, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_ANSWER);
     } else if (c) {
         w->counts.responses[response.kind]++;
-        w->busy = c; // the answer changes motions; this couple's own turn comes after
+        w->busy = c; // the answer changes motions; this pair's own turn comes after
         error = answer(w, c, &response, &touch);
         w->busy = NULL;
     }

@@ -6,8 +6,8 @@
 // hysteresis. If the cells of both on b's level are no neighbours, there is a whole cell between them, and
 // the centres are more than h_b - w_a - w_b >= 7/8 h_b apart. Both radii are at most (h_b - 32 margin) / 2.5,
 // so the sum of both with two margins is below 0.8 h_b - 23 margin, and the reach at which disks meet, 65/64
-// of that and rounding (gate.c), below 0.82 h_b. (A body that is beyond its cell and the hysteresis by h/64,
-// because no time lies between, is an error: resident.c.)
+// of that and rounding (deadline.c), below 0.82 h_b. (A body that is beyond its cell and the hysteresis by
+// h/64, because no time lies between, is an error: body.c.)
 #include <math.h>
 #include <string.h>
 
@@ -268,7 +268,7 @@ void bmr_grid_prune(bmr_world *w, bmr_cell *cell) {
     }
 }
 
-void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_resident *r) {
+void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_world_body *r) {
     r->cell = cell;
     r->before = NULL;
     r->after = cell->first;
@@ -279,7 +279,7 @@ void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_resident *r) {
     w->level_bodies[cell->level - BMR_LEAST_LEVEL]++;
 }
 
-void bmr_cell_leave(bmr_world *w, bmr_resident *r) {
+void bmr_cell_leave(bmr_world *w, bmr_world_body *r) {
     bmr_cell *const cell = r->cell;
     if (!cell)
         return;
@@ -297,7 +297,7 @@ void bmr_cell_leave(bmr_world *w, bmr_resident *r) {
 
 // ---- neighbours ----
 
-static bmr_error add_candidate(bmr_world *w, bmr_resident *r, int64_t image_x, int64_t image_y) {
+static bmr_error add_candidate(bmr_world *w, bmr_world_body *r, int64_t image_x, int64_t image_y) {
     if (w->candidate_count == w->candidate_capacity) {
         const size_t capacity = w->candidate_capacity ? 2 * w->candidate_capacity : 16;
         size_t bytes;
@@ -314,7 +314,7 @@ static bmr_error add_candidate(bmr_world *w, bmr_resident *r, int64_t image_x, i
         w->candidate_capacity = capacity;
     }
     bmr_candidate *const c = &w->candidates[w->candidate_count++];
-    c->resident = r;
+    c->body = r;
     c->image[0] = (int32_t)image_x;
     c->image[1] = (int32_t)image_y;
     return BMR_OK;
@@ -322,10 +322,10 @@ static bmr_error add_candidate(bmr_world *w, bmr_resident *r, int64_t image_x, i
 
 /// A cell's bodies and, with `below`, those of all cells below it. `column` and `row`: of that cell's place
 /// on `level`, counted on as the asking body's are; a body's own count tells which image is there.
-static bmr_error add_cell(bmr_world *w, const bmr_resident *asks, const bmr_cell *cell, int level,
+static bmr_error add_cell(bmr_world *w, const bmr_world_body *asks, const bmr_cell *cell, int level,
                           int64_t column, int64_t row, bool below) {
     const int64_t size_x = around(w->around_x, level), size_y = around(w->around_y, level);
-    for (bmr_resident *r = cell->first; r; r = r->after) {
+    for (bmr_world_body *r = cell->first; r; r = r->after) {
         if (r == asks)
             continue;
         const int up = level - cell->level;
@@ -343,7 +343,7 @@ static bmr_error add_cell(bmr_world *w, const bmr_resident *asks, const bmr_cell
 }
 
 /// The nine cells around a place of a level.
-static bmr_error add_around(bmr_world *w, const bmr_resident *asks, int level, int64_t column, int64_t row,
+static bmr_error add_around(bmr_world *w, const bmr_world_body *asks, int level, int64_t column, int64_t row,
                             bool below) {
     for (int64_t i = column - 1; i <= column + 1; i++)
         for (int64_t j = row - 1; j <= row + 1; j++) {
@@ -356,17 +356,17 @@ static bmr_error add_around(bmr_world *w, const bmr_resident *asks, int level, i
     return BMR_OK;
 }
 
-static bmr_error add_all(bmr_world *w, const bmr_resident *asks) {
+static bmr_error add_all(bmr_world *w, const bmr_world_body *asks) {
     for (size_t i = 0; i < w->places; i++)
-        if (w->residents[i] && w->residents[i] != asks) {
-            const bmr_error error = add_candidate(w, w->residents[i], 0, 0);
+        if (w->bodies[i] && w->bodies[i] != asks) {
+            const bmr_error error = add_candidate(w, w->bodies[i], 0, 0);
             if (error != BMR_OK)
                 return error;
         }
     return BMR_OK;
 }
 
-bmr_error bmr_grid_candidates(bmr_world *w, const bmr_resident *r, int level, int64_t column, int64_t row) {
+bmr_error bmr_grid_candidates(bmr_world *w, const bmr_world_body *r, int level, int64_t column, int64_t row) {
     w->candidate_count = 0;
     if (w->def.all_pairs && w->def.boundary != BMR_PERIODIC)
         return add_all(w, r);

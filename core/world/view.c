@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "kinetic/motion.h"
 #include "world/parts.h"
 
 const char *bmr_world_event_name(bmr_world_event_kind kind) {
@@ -24,7 +23,7 @@ static void cell_box(const bmr_world *w, int level, int64_t column, int64_t row,
 bmr_error bmr_world_get(const bmr_world *w, bmr_body body, bmr_body_state *state) {
     if (!w || !state)
         return BMR_ERROR_NULL_ARGUMENT;
-    const bmr_resident *r = bmr_world_find(w, body);
+    const bmr_world_body *r = bmr_world_find(w, body);
     if (!r)
         return BMR_ERROR_OUT_OF_RANGE;
     const bmr_instant now = bmr_piece_instant(&r->now.piece, w->time);
@@ -38,7 +37,7 @@ bmr_error bmr_world_get(const bmr_world *w, bmr_body body, bmr_body_state *state
     state->inertia = r->inertia;
     state->user = r->user;
     state->radius = r->radius;
-    state->pairs = r->couples;
+    state->pairs = r->pairs;
     if (r->cell) {
         state->level = r->cell->level;
         cell_box(w, r->cell->level, r->column, r->row, &state->cell_low, &state->cell_high);
@@ -52,7 +51,7 @@ size_t bmr_world_body_count(const bmr_world *w) {
 
 bmr_body bmr_world_next_body(const bmr_world *w, size_t *place) {
     while (*place < w->places) {
-        const bmr_resident *r = w->residents[(*place)++];
+        const bmr_world_body *r = w->bodies[(*place)++];
         if (r)
             return r->id;
     }
@@ -62,8 +61,8 @@ bmr_body bmr_world_next_body(const bmr_world *w, size_t *place) {
 void bmr_world_each_pair(const bmr_world *w, void (*visit)(void *context, const bmr_world_pair *pair),
                          void *context) {
     for (size_t i = 0; i < w->places; i++) {
-        const bmr_resident *r = w->residents[i];
-        for (const bmr_couple *c = r ? r->first : NULL; c; c = c->after[bmr_couple_side(c, r)]) {
+        const bmr_world_body *r = w->bodies[i];
+        for (const bmr_body_pair *c = r ? r->first : NULL; c; c = c->after[bmr_body_pair_side(c, r)]) {
             if (c->side[0] != r)
                 continue;
             bmr_world_pair pair;
@@ -71,8 +70,8 @@ void bmr_world_each_pair(const bmr_world *w, void (*visit)(void *context, const 
             pair.a = r->id;
             pair.b = c->side[1]->id;
             pair.watch = (bmr_watch)c->watch;
-            pair.image = bmr_couple_shift(w, c);
-            pair.reach = bmr_gate_reach(w, c);
+            pair.image = bmr_body_pair_shift(w, c);
+            pair.reach = bmr_disks_reach(w, c);
             pair.next =
                 c->head.item.place == BMR_NOT_QUEUED ? INFINITY : w->queue.heap[c->head.item.place].time;
             pair.neighbours = c->neighbours;
@@ -113,7 +112,7 @@ bmr_world_counts bmr_world_get_counts(const bmr_world *w) {
 bmr_world_totals bmr_world_get_totals(const bmr_world *w) {
     bmr_world_totals totals = {0.0, {0.0, 0.0}, 0.0};
     for (size_t i = 0; i < w->places; i++) {
-        const bmr_resident *r = w->residents[i];
+        const bmr_world_body *r = w->bodies[i];
         if (!r)
             continue;
         const bmr_instant now = bmr_piece_instant(&r->now.piece, w->time);
@@ -128,4 +127,142 @@ bmr_world_totals bmr_world_get_totals(const bmr_world *w) {
         }
     }
     return totals;
+}
+
+// ---- everything that a world claims, proved from scratch ----
+
+/// What places may be off their cells, and disks be nearer, by rounding: parts of a cell, and of the reach.
+#define ROOM 1e-6
+
+static bool in_cell(const bmr_world *w, const bmr_world_body *r) {
+    if (!r->cell)
+        return w->def.all_pairs && w->def.boundary != BMR_PERIODIC;
+    const bmr_vec2 position = bmr_path_position(&r->now.piece, w->time);
+    const bool periodic = w->def.boundary == BMR_PERIODIC;
+    const bmr_vec2 at = periodic ? bmr_sub(position, w->def.low) : position;
+    const double x = at.x / bmr_cell_width(w, r->cell->level) - (double)r->column;
+    const double y = at.y / bmr_cell_height(w, r->cell->level) - (double)r->row;
+    const double room = BMR_CELL_HYSTERESIS + ROOM;
+    return x >= -room && x <= 1.0 + room && y >= -room && y <= 1.0 + room;
+}
+
+static bool near_by(int64_t a, int64_t b, int64_t size, int64_t *image) {
+    const int64_t apart = a - b;
+    *image = size > 0 ? (int64_t)floor((double)apart / (double)size + 0.5) : 0;
+    const int64_t rest = apart - *image * size;
+    return rest >= -1 && rest <= 1;
+}
+
+/// Are their cells neighbours on the coarser one's level? `image`: of b as seen from a.
+static bool are_neighbours(const bmr_world *w, const bmr_world_body *a, const bmr_world_body *b,
+                           int64_t image[2]) {
+    image[0] = image[1] = 0;
+    if (!a->cell)
+        return true;
+    const int la = a->cell->level, lb = b->cell->level, level = la > lb ? la : lb;
+    const int64_t x = w->around_x > 0 ? w->around_x << -level : 0;
+    const int64_t y = w->around_y > 0 ? w->around_y << -level : 0;
+    return near_by(bmr_place_above(a->column, level - la), bmr_place_above(b->column, level - lb), x,
+                   &image[0]) &&
+           near_by(bmr_place_above(a->row, level - la), bmr_place_above(b->row, level - lb), y, &image[1]);
+}
+
+static const bmr_body_pair *couple_of(const bmr_world_body *a, const bmr_world_body *b,
+                                      const int64_t image[2]) {
+    for (const bmr_body_pair *c = a->first; c; c = c->after[bmr_body_pair_side(c, a)]) {
+        const int sign = c->side[0] == a ? 1 : -1;
+        if (c->side[1 - bmr_body_pair_side(c, a)] == b && sign * c->image[0] == image[0] &&
+            sign * c->image[1] == image[1])
+            return c;
+    }
+    return NULL;
+}
+
+/// Each two: if their cells are neighbours they are a pair, and if they are none their disks, and those of
+/// all images around, are apart.
+static bmr_error audit_two(const bmr_world *w, const bmr_world_body *a, const bmr_world_body *b) {
+    int64_t image[2];
+    const bool neighbours = are_neighbours(w, a, b, image);
+    const bmr_body_pair *c = couple_of(a, b, image);
+    if (neighbours && (!c || !c->neighbours))
+        return BMR_ERROR_INVALID_STRUCTURE;
+    const bmr_vec2 size = bmr_sub(w->def.high, w->def.low);
+    const bmr_vec2 way =
+        bmr_sub(bmr_path_position(&b->now.piece, w->time), bmr_path_position(&a->now.piece, w->time));
+    const bool periodic = w->def.boundary == BMR_PERIODIC;
+    const int64_t around = periodic ? 1 : 0;
+    const int64_t base[2] = {periodic ? (int64_t)floor(0.5 - way.x / size.x) : 0,
+                             periodic ? (int64_t)floor(0.5 - way.y / size.y) : 0};
+    for (int64_t i = base[0] - around; i <= base[0] + around; i++)
+        for (int64_t j = base[1] - around; j <= base[1] + around; j++) {
+            const int64_t here[2] = {i, j};
+            const bmr_vec2 apart = bmr_vec2_make(way.x + (periodic ? (double)i * size.x : 0.0),
+                                                 way.y + (periodic ? (double)j * size.y : 0.0));
+            if (hypot(apart.x, apart.y) <= a->radius + b->radius + w->def.kds.margin &&
+                !couple_of(a, b, here))
+                return BMR_ERROR_FALSE_CERTIFICATE;
+        }
+    return BMR_OK;
+}
+
+static bmr_error audit_pair(const bmr_world *w, const bmr_body_pair *c) {
+    if (!c->neighbours && c->watch == BMR_WATCH_DISKS)
+        return BMR_ERROR_INVALID_STRUCTURE;
+    if ((c->watch == BMR_WATCH_DISKS) != (c->near == NULL))
+        return BMR_ERROR_INVALID_STRUCTURE;
+    const bool due =
+        c->head.item.place != BMR_NOT_QUEUED && w->queue.heap[c->head.item.place].time <= w->time;
+    if (due) // it has not been told yet
+        return BMR_OK;
+    if (c->watch == BMR_WATCH_DISKS)
+        return bmr_disks_distance(w, c, w->time) > (1.0 - ROOM) * bmr_disks_reach(w, c)
+                   ? BMR_OK
+                   : BMR_ERROR_FALSE_CERTIFICATE;
+    if (c->watch == BMR_WATCH_PASSING)
+        return BMR_OK;
+    bmr_pair_view view;
+    const bmr_pair_motion motion = bmr_body_pair_motion(w, c, &view);
+    const bmr_pose pose = bmr_pair_instant(&motion, w->time).pose;
+    return bmr_kds_in_contact(c->near->kds) ? BMR_ERROR_INVALID_STRUCTURE
+                                            : bmr_kds_audit(c->near->kds, &pose);
+}
+
+static bmr_error audit_queue(const bmr_world *w) {
+    for (size_t i = 0; i < w->queue.count; i++) {
+        const bmr_event_entry *entry = &w->queue.heap[i], *above = &w->queue.heap[i ? (i - 1) / 2 : 0];
+        if (entry->item->place != i || entry->time < above->time || !(entry->time < INFINITY))
+            return BMR_ERROR_INVALID_STRUCTURE;
+    }
+    return BMR_OK;
+}
+
+/// A body's list of pairs, and its cell.
+static bmr_error audit_body(const bmr_world *w, const bmr_world_body *r) {
+    const bool due =
+        r->head.item.place != BMR_NOT_QUEUED && w->queue.heap[r->head.item.place].time <= w->time;
+    if (!due && !in_cell(w, r))
+        return BMR_ERROR_FALSE_CERTIFICATE;
+    size_t pairs = 0;
+    for (const bmr_body_pair *c = r->first; c; c = c->after[bmr_body_pair_side(c, r)], pairs++) {
+        const bmr_error error = c->side[0] == r ? audit_pair(w, c) : BMR_OK;
+        if (error != BMR_OK)
+            return error;
+    }
+    return pairs == r->pairs ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
+}
+
+bmr_error bmr_world_audit(const bmr_world *w) {
+    if (!w)
+        return BMR_ERROR_NULL_ARGUMENT;
+    bmr_error error = audit_queue(w);
+    for (size_t i = 0; i < w->places && error == BMR_OK; i++) {
+        const bmr_world_body *a = w->bodies[i];
+        if (!a)
+            continue;
+        error = audit_body(w, a);
+        for (size_t j = i + 1; j < w->places && error == BMR_OK; j++)
+            if (w->bodies[j])
+                error = audit_two(w, a, w->bodies[j]);
+    }
+    return error;
 }

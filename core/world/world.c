@@ -119,11 +119,11 @@ void bmr_world_destroy(bmr_world *w) {
     if (!w || w->inside)
         return;
     for (size_t i = 0; i < w->places; i++)
-        if (w->residents[i])
-            bmr_resident_destroy(w, w->residents[i]);
+        if (w->bodies[i])
+            bmr_body_destroy(w, w->bodies[i]);
     bmr_walls_destroy(w);
-    if (w->residents)
-        bmr_world_give(w, w->residents, w->capacity * BMR_PLACE_BYTES);
+    if (w->bodies)
+        bmr_world_give(w, w->bodies, w->capacity * BMR_PLACE_BYTES);
     if (w->candidates)
         bmr_world_give(w, w->candidates, w->candidate_capacity * sizeof *w->candidates);
     if (w->table)
@@ -135,31 +135,18 @@ void bmr_world_destroy(bmr_world *w) {
 
 // ---- running ----
 
-void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr_body a, bmr_body b,
-                       const bmr_kds_report *report) {
-    w->counts.events[kind]++;
-    if (!w->def.observer)
-        return;
-    bmr_world_event event;
-    memset(&event, 0, sizeof event);
-    event.kind = kind;
-    event.time = time;
-    event.a = a;
-    event.b = b;
-    if (report)
-        event.report = *report;
-    w->def.observer(w->def.context, w, &event);
-}
-
 /// Names who is concerned, where nobody else did.
 static bmr_error take_event(bmr_world *w) {
     bmr_scheduled *const item = (bmr_scheduled *)(void *)w->queue.heap[0].item;
     w->time = fmax(w->time, w->queue.heap[0].time);
-    const bmr_couple *const couple = item->is_couple ? (void *)item : NULL;
-    const bmr_body a = couple ? couple->side[0]->id : ((bmr_resident *)(void *)item)->id;
-    const bmr_body b = couple ? couple->side[1]->id : BMR_NO_BODY;
-    const bmr_error error =
-        item->is_couple ? bmr_couple_event_due(w, (void *)item) : bmr_resident_event(w, (void *)item);
+    const bmr_body_pair *const pair = item->is_pair ? (void *)item : NULL;
+    const bmr_body a = pair ? pair->side[0]->id : ((bmr_world_body *)(void *)item)->id;
+    const bmr_body b = pair ? pair->side[1]->id : BMR_NO_BODY;
+    bmr_pair_touches touches = BMR_TOUCHES_NOT;
+    bmr_error error =
+        item->is_pair ? bmr_body_pair_event(w, (void *)item, &touches) : bmr_body_event(w, (void *)item);
+    if (touches != BMR_TOUCHES_NOT)
+        error = bmr_contact_tell(w, (void *)item, touches == BMR_TOUCHES_PLACED);
     return error != BMR_OK && w->trouble.kind == BMR_TROUBLE_NONE
                ? bmr_world_stop(w, error, BMR_TROUBLE_OTHER, a, b)
                : error;

@@ -1,6 +1,38 @@
 // SPDX-License-Identifier: MIT
-// Why a world stopped, and because of whom.
+// What every part of a world needs: memory that is counted, why the world stopped, who is told of events.
+#include <string.h>
+
+#include "geometry/memory.h"
 #include "world/parts.h"
+
+void *bmr_world_take(bmr_world *w, size_t bytes) {
+    void *block = bmr_allocate(w->allocator, bytes);
+    if (block)
+        w->counts.bytes += bytes;
+    if (w->counts.most_bytes < w->counts.bytes)
+        w->counts.most_bytes = w->counts.bytes;
+    return block;
+}
+
+void bmr_world_give(bmr_world *w, void *block, size_t bytes) {
+    w->counts.bytes -= bytes;
+    bmr_release(w->allocator, block, bytes);
+}
+
+static void *take(void *context, size_t bytes) {
+    return bmr_world_take(context, bytes);
+}
+
+static void give(void *context, void *block, size_t bytes) {
+    bmr_world_give(context, block, bytes);
+}
+
+bmr_allocator bmr_world_allocator(bmr_world *w) {
+    const bmr_allocator counted = {take, give, w};
+    return counted;
+}
+
+// ---- trouble ----
 
 const char *bmr_trouble_describe(bmr_trouble trouble) {
     switch (trouble) {
@@ -47,4 +79,22 @@ bmr_error bmr_world_stop(bmr_world *w, bmr_error error, bmr_trouble kind, bmr_bo
 
 bmr_world_trouble bmr_world_get_trouble(const bmr_world *w) {
     return w->trouble;
+}
+
+// ---- events ----
+
+void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr_body a, bmr_body b,
+                       const bmr_kds_report *report) {
+    w->counts.events[kind]++;
+    if (!w->def.observer)
+        return;
+    bmr_world_event event;
+    memset(&event, 0, sizeof event);
+    event.kind = kind;
+    event.time = time;
+    event.a = a;
+    event.b = b;
+    if (report)
+        event.report = *report;
+    w->def.observer(w->def.context, w, &event);
 }

@@ -1,16 +1,100 @@
 // SPDX-License-Identifier: MIT
-// Paths that are curved: when two centres come within a reach and part again, and when one leaves its cell.
+// When two disks meet and part: a function of the two motions alone.
 //
-// Time is cut into windows, counted from the epoch, and each is searched from its beginning: what is found
-// does not depend on when it is asked for (gate.c).
+// A pair's time begins at its epoch, when the later of the two pieces that hold now was set. From there on
+// its disks meet when their centres come within the *reach*, part when they are farther than `parted`
+// of that, meet again, and so on: one list of times. Whoever asks for the next one gets the next one of that
+// list, whenever he asks. Where both paths are straight lines the list has one entry of each kind, in closed
+// form. Else each is searched for, window by window.
+//
+// The reach is larger than the sum of the radii and the margin by a margin, by a 64th, and by the rounding of
+// places at the epoch; so rounding of any of this never makes the disks meet too late. (Where a rounding of
+// the time is longer than a margin's way, the pair is stopped as soon as they meet: pair.c, clock_end.)
 #include <float.h>
 #include <math.h>
 
 #include "geometry/length.h"
 #include "kinetic/failure.h"
-#include "kinetic/motion.h"
-#include "kinetic/roots.h"
 #include "world/parts.h"
+
+/// What the reach has more than it needs.
+#define REACH_PART (1.0 + 0x1p-6)
+/// Disks part at so many reaches, or a hysteresis farther, so that a pair lives until it is apart by that: at
+/// density 0.3 a structure lives about as long as its bodies pass each other.
+#define PARTED 1.25
+
+typedef struct interval {
+    double from, to; ///< from > to: empty
+} interval;
+
+// ---- paths ----
+
+static bool is_straight(const bmr_motion_piece *piece) {
+    return piece->kind == BMR_PIECE_SCREW || piece->as.algebraic.degree <= 1;
+}
+
+/// Of the frame's origin, whatever the body's rotation does: for a straight path its velocity too.
+static bmr_vec2 straight(const bmr_motion_piece *piece, double time, bmr_vec2 *velocity) {
+    bmr_vec2 start;
+    if (piece->kind == BMR_PIECE_SCREW) {
+        start = piece->as.screw.start.position;
+        *velocity = piece->as.screw.velocity;
+    } else {
+        const bmr_algebraic_piece *p = &piece->as.algebraic;
+        start = bmr_vec2_make(p->x[0], p->y[0]);
+        *velocity = p->degree > 0 ? bmr_vec2_make(p->x[1], p->y[1]) : bmr_vec2_make(0.0, 0.0);
+    }
+    return bmr_add(start, bmr_scale(time - piece->origin, *velocity));
+}
+
+bmr_vec2 bmr_path_position(const bmr_motion_piece *piece, double time) {
+    bmr_vec2 velocity;
+    return is_straight(piece) ? straight(piece, time, &velocity)
+                              : bmr_piece_instant(piece, time).pose.position;
+}
+
+// ---- the two of a pair ----
+
+/// When the later of the two began to move as it does now.
+static double epoch_of(const bmr_body_pair *c) {
+    return c->side[0]->since > c->side[1]->since ? c->side[0]->since : c->side[1]->since;
+}
+
+/// From the first's centre to the second's image.
+static bmr_vec2 way_at(const bmr_world *w, const bmr_body_pair *c, double time) {
+    const bmr_vec2 a = bmr_path_position(&c->side[0]->now.piece, time);
+    const bmr_vec2 b = bmr_path_position(&c->side[1]->now.piece, time);
+    return bmr_sub(bmr_add(b, bmr_body_pair_shift(w, c)), a);
+}
+
+double bmr_disks_distance(const bmr_world *w, const bmr_body_pair *c, double time) {
+    if (bmr_body_is_wall(c->side[1])) {
+        const bmr_line line = bmr_wall_line(w, c->side[1]);
+        return bmr_dot(line.normal, bmr_path_position(&c->side[0]->now.piece, time)) - line.offset;
+    }
+    return bmr_length(way_at(w, c, time));
+}
+
+double bmr_disks_reach(const bmr_world *w, const bmr_body_pair *c) {
+    const double epoch = epoch_of(c);
+    const bool wall = bmr_body_is_wall(c->side[1]);
+    const bmr_vec2 a = bmr_path_position(&c->side[0]->now.piece, epoch);
+    const bmr_vec2 b = wall ? w->def.high : bmr_path_position(&c->side[1]->now.piece, epoch);
+    const bmr_vec2 shift = bmr_body_pair_shift(w, c);
+    const double places = fabs(a.x) + fabs(a.y) + fabs(b.x) + fabs(b.y) + fabs(shift.x) + fabs(shift.y);
+    const double sum = c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius) + 2.0 * w->def.kds.margin;
+    return REACH_PART * sum + BMR_PLACE_ROUNDING * places;
+}
+
+/// Disks this far have parted.
+static double parted(const bmr_world *w, double reach) {
+    return fmax(PARTED * reach, reach + w->def.kds.hysteresis);
+}
+
+// ---- curved paths ----
+//
+// Time is cut into windows, counted from the epoch, and each is searched from its beginning: what is found
+// does not depend on when it is asked for.
 
 /// A window is so many times as long as the path needs for one reach, by the first of its powers to get
 /// there.
@@ -89,21 +173,21 @@ static bool is_exact(const curve *k, double reach, double from, double to) {
     return BMR_PLACE_ROUNDING * way + clock * speed < EXACT_PART * reach;
 }
 
-static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
-    curve k = {.epoch = bmr_couple_epoch(c), .parted = bmr_gate_parted(w, reach)};
+static curve make_curve(const bmr_world *w, const bmr_body_pair *c, double reach) {
+    curve k = {.epoch = epoch_of(c), .parted = parted(w, reach)};
     k.rest = bmr_piece_rest(bmr_pose_identity());
     k.way.kind = BMR_PIECE_ALGEBRAIC;
     const bmr_motion_piece own_path = path_of(&c->side[0]->now.piece, bmr_vec2_make(0.0, 0.0));
     const bmr_algebraic_piece own = bmr_piece_expand(&own_path, k.epoch);
     bmr_algebraic_piece *const way = &k.way.as.algebraic;
-    if (bmr_resident_is_wall(c->side[1])) {
+    if (bmr_body_is_wall(c->side[1])) {
         const bmr_line line = bmr_wall_line(w, c->side[1]);
         *way = own;
         way->x[0] -= line.offset * line.normal.x;
         way->y[0] -= line.offset * line.normal.y;
         add_sizes(&own, k.size);
     } else {
-        const bmr_motion_piece path = path_of(&c->side[1]->now.piece, bmr_couple_shift(w, c));
+        const bmr_motion_piece path = path_of(&c->side[1]->now.piece, bmr_body_pair_shift(w, c));
         const bmr_algebraic_piece other = bmr_piece_expand(&path, k.epoch);
         way->degree = own.degree > other.degree ? own.degree : other.degree;
         way->a[0] = way->start_c = 1.0;
@@ -124,9 +208,9 @@ static curve make_curve(const bmr_world *w, const bmr_couple *c, double reach) {
 }
 
 /// Apart by more than `reach`, as a condition of the curve.
-static bmr_condition apart_by(const bmr_world *w, const bmr_couple *c, double reach) {
+static bmr_condition apart_by(const bmr_world *w, const bmr_body_pair *c, double reach) {
     const bmr_vec2 origin = bmr_vec2_make(0.0, 0.0);
-    return bmr_resident_is_wall(c->side[1])
+    return bmr_body_is_wall(c->side[1])
                ? bmr_condition_beyond(0, bmr_wall_line(w, c->side[1]).normal, reach, origin, 0)
                : bmr_condition_disks(origin, origin, reach, 0);
 }
@@ -194,8 +278,8 @@ static bmr_error first_change(const curve *k, const bmr_condition *condition, bo
 
 /// The first meeting (or parting) after `after` in the window [from, to], which begins at `from` with the
 /// disks as `inside` says; INFINITY: none.
-static bmr_error in_window(const bmr_world *w, const bmr_couple *c, const curve *k, double reach, bool meets,
-                           bool inside, double from, double to, double after, double *time) {
+static bmr_error in_window(const bmr_world *w, const bmr_body_pair *c, const curve *k, double reach,
+                           bool meets, bool inside, double from, double to, double after, double *time) {
     const bmr_condition near = apart_by(w, c, reach), far = apart_by(w, c, k->parted);
     for (int changes = 0; changes < MOST_CHANGES; changes++, inside = !inside) {
         double change;
@@ -232,13 +316,14 @@ static double clear_windows(const curve *k, double distance, bool inside, double
     return clear;
 }
 
-bmr_error bmr_curve_next(const bmr_world *w, const bmr_couple *c, double reach, bool meets, double after,
-                         double *time, bool *look) {
+/// The next meeting (or parting) of the two whose reach this is.
+static bmr_error curve_next(const bmr_world *w, const bmr_body_pair *c, double reach, bool meets,
+                            double after, double *time, bool *look) {
     const curve k = make_curve(w, c, reach);
     *look = false;
     *time = INFINITY;
     if (!(k.window < INFINITY)) { // both rest, or go together
-        const double distance = bmr_gate_distance(w, c, k.epoch);
+        const double distance = bmr_disks_distance(w, c, k.epoch);
         if (meets ? distance <= reach : distance >= k.parted)
             *time = after;
         return isfinite(distance) ? BMR_OK : BMR_ERROR_NOT_FINITE;
@@ -248,7 +333,7 @@ bmr_error bmr_curve_next(const bmr_world *w, const bmr_couple *c, double reach, 
         window--;
     for (int i = 0; i < WINDOWS; i++, window++) {
         const double from = k.epoch + window * k.window, to = k.epoch + (window + 1.0) * k.window;
-        const double distance = bmr_gate_distance(w, c, from);
+        const double distance = bmr_disks_distance(w, c, from);
         if (!isfinite(distance) || !(to > from))
             return BMR_ERROR_NOT_FINITE;
         if (!is_clear(&k, distance, false, reach, from, to - from) && !is_exact(&k, reach, from, to)) {
@@ -268,15 +353,16 @@ bmr_error bmr_curve_next(const bmr_world *w, const bmr_couple *c, double reach, 
         if (error != BMR_OK || *time < INFINITY)
             return error;
         if (inside != meets)
-            window += clear_windows(&k, bmr_gate_distance(w, c, to), inside, reach, to);
+            window += clear_windows(&k, bmr_disks_distance(w, c, to), inside, reach, to);
     }
     *look = true;
     *time = k.epoch + window * k.window;
     return BMR_OK;
 }
 
-bmr_error bmr_curve_leaves(const bmr_world *w, const bmr_motion_piece *piece, bmr_vec2 low, bmr_vec2 high,
-                           double size, double after, double *time, bool *look) {
+/// When the path leaves the rectangle, of a cell whose shorter side is `size`.
+static bmr_error curve_leaves(const bmr_world *w, const bmr_motion_piece *piece, bmr_vec2 low, bmr_vec2 high,
+                              double size, double after, double *time, bool *look) {
     const bmr_motion_piece path = path_of(piece, bmr_vec2_make(0.0, 0.0));
     const bmr_algebraic_piece here = bmr_piece_expand(&path, after);
     const double span = WINDOW * time_for(&here, size);
@@ -309,4 +395,119 @@ bmr_error bmr_curve_leaves(const bmr_world *w, const bmr_motion_piece *piece, bm
         *look = true;
     }
     return BMR_OK;
+}
+
+// ---- straight paths ----
+
+/// Time from the epoch, in which the way from `way` on is within the reach of the origin.
+static interval within(bmr_vec2 way, bmr_vec2 velocity, double reach) {
+    const double square = bmr_dot(velocity, velocity), speed = sqrt(square);
+    const interval none = {INFINITY, -INFINITY}, always = {-INFINITY, INFINITY}, unknown = {NAN, NAN};
+    if (!isfinite(square) || !isfinite(bmr_dot(way, way)))
+        return unknown;
+    if (!(square > 0.0))
+        return bmr_dot(way, way) <= reach * reach ? always : none;
+    // How far they pass each other: its rounding is that of the way, however long that is.
+    const double miss = fabs(bmr_cross(way, velocity)) / speed;
+    if (!(miss < reach))
+        return none;
+    const double nearest = -bmr_dot(way, velocity) / square;
+    const double half = sqrt((reach - miss) * (reach + miss)) / speed;
+    const interval inside = {nearest - half, nearest + half};
+    return inside;
+}
+
+/// The same of a height above a wall.
+static interval below(double height, double rate, double reach) {
+    interval inside = {-INFINITY, INFINITY};
+    if (rate < 0.0)
+        inside.from = (height - reach) / -rate;
+    else if (rate > 0.0)
+        inside.to = (reach - height) / rate;
+    else if (height > reach)
+        inside.from = INFINITY, inside.to = -INFINITY;
+    return inside;
+}
+
+static bool both_straight(const bmr_body_pair *c) {
+    return is_straight(&c->side[0]->now.piece) && is_straight(&c->side[1]->now.piece);
+}
+
+static interval straight_within(const bmr_world *w, const bmr_body_pair *c, double epoch, double reach) {
+    bmr_vec2 velocity_a, velocity_b;
+    const bmr_vec2 a = straight(&c->side[0]->now.piece, epoch, &velocity_a);
+    if (bmr_body_is_wall(c->side[1])) {
+        const bmr_line line = bmr_wall_line(w, c->side[1]);
+        return below(bmr_dot(line.normal, a) - line.offset, bmr_dot(line.normal, velocity_a), reach);
+    }
+    const bmr_vec2 b = straight(&c->side[1]->now.piece, epoch, &velocity_b);
+    const bmr_vec2 way = bmr_sub(bmr_add(b, bmr_body_pair_shift(w, c)), a);
+    return within(way, bmr_sub(velocity_b, velocity_a), reach);
+}
+
+// ---- both ----
+
+static bmr_error next_change(const bmr_world *w, const bmr_body_pair *c, bool meets, double after,
+                             double *time, bool *look) {
+    const double reach = bmr_disks_reach(w, c), epoch = epoch_of(c);
+    if (!isfinite(reach))
+        return BMR_ERROR_NOT_FINITE;
+    if (!both_straight(c))
+        return curve_next(w, c, reach, meets, after, time, look);
+    const interval inside = straight_within(w, c, epoch, meets ? reach : parted(w, reach));
+    if (isnan(inside.from))
+        return BMR_ERROR_NOT_FINITE;
+    *look = false;
+    const bool ever = inside.from <= inside.to;
+    // What is over by no more than the clock's rounding is not over.
+    const double now = after - BMR_CLOCK_ROUNDINGS * DBL_EPSILON * (fabs(after) + fabs(epoch));
+    if (meets)
+        *time = ever && epoch + inside.to > now ? fmax(after, epoch + inside.from) : INFINITY;
+    else
+        *time = ever ? fmax(after, epoch + inside.to) : after;
+    return BMR_OK;
+}
+
+bmr_error bmr_disks_meet(const bmr_world *w, const bmr_body_pair *c, double after, double *time, bool *look) {
+    return next_change(w, c, true, after, time, look);
+}
+
+bmr_error bmr_disks_part(const bmr_world *w, const bmr_body_pair *c, double after, double *time, bool *look) {
+    return next_change(w, c, false, after, time, look);
+}
+
+// ---- cells ----
+
+/// When x + v (t - origin) leaves [low, high], not before `after`.
+static double leaves(double x, double velocity, double origin, double low, double high, double after) {
+    if (velocity == 0.0)
+        return INFINITY;
+    return fmax(after, origin + ((velocity > 0.0 ? high : low) - x) / velocity);
+}
+
+bmr_error bmr_body_leaves_cell(const bmr_world *w, const bmr_world_body *r, double after, double *time,
+                               bool *look) {
+    const int level = r->cell->level;
+    const double width = bmr_cell_width(w, level), height = bmr_cell_height(w, level);
+    const bmr_vec2 base = w->def.boundary == BMR_PERIODIC ? w->def.low : bmr_vec2_make(0.0, 0.0);
+    const bmr_vec2 low = bmr_vec2_make(base.x + ((double)r->column - BMR_CELL_HYSTERESIS) * width,
+                                       base.y + ((double)r->row - BMR_CELL_HYSTERESIS) * height);
+    const bmr_vec2 high = bmr_vec2_make(base.x + ((double)r->column + 1.0 + BMR_CELL_HYSTERESIS) * width,
+                                        base.y + ((double)r->row + 1.0 + BMR_CELL_HYSTERESIS) * height);
+    const bmr_motion_piece *piece = &r->now.piece;
+    *look = false;
+    // Motions that go on from each other up to rounding may add that up.
+    const bmr_vec2 now = bmr_path_position(piece, after);
+    if (now.x < low.x || now.x > high.x || now.y < low.y || now.y > high.y) {
+        *time = after;
+        return BMR_OK;
+    }
+    if (is_straight(piece)) {
+        bmr_vec2 velocity;
+        const bmr_vec2 at = straight(piece, piece->origin, &velocity);
+        *time = fmin(leaves(at.x, velocity.x, piece->origin, low.x, high.x, after),
+                     leaves(at.y, velocity.y, piece->origin, low.y, high.y, after));
+        return isnan(*time) ? BMR_ERROR_NOT_FINITE : BMR_OK;
+    }
+    return curve_leaves(w, piece, low, high, fmin(width, height), after, time, look);
 }
