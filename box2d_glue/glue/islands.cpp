@@ -55,7 +55,6 @@ private:
     void Push(b2Body *body);
     void SolveIsland();
     void AfterGame();
-    void MakeRoom();
     void Synchronize();
     void PutPlaceBack(b2Body *body);
     void Follow(b2Body *body);
@@ -74,15 +73,12 @@ private:
     bool m_seedsAreAwake = false; ///< they are Bodies::Awake
     bool m_awakeAlone = false;    ///< only bodies of Bodies::Awake are in islands
     bool m_gameWasCalled = false; ///< PostSolve; and contacts were enabled ahead of it
-    int32 m_bodyCount, m_contactCount, m_jointCount; ///< of the world, that there is room for
 };
 
 IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener),
-      m_table(table != nullptr && !HasLeft(table) ? table : nullptr), m_room(solver->Room()),
-      m_bodyCount(world->GetBodyCount()), m_contactCount(world->GetContactCount()),
-      m_jointCount(world->GetJointCount()) {
+      m_table(table != nullptr && !HasLeft(table) ? table : nullptr), m_room(solver->Room()) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
 }
@@ -197,6 +193,7 @@ void IslandPass::BuildIsland(b2Body *seed) {
 
 void IslandPass::Push(b2Body *body) {
     BodyInIsland::Set(body);
+    m_room.stack.Reserve(m_stackCount + 1);
     m_room.stack[m_stackCount++] = body;
 }
 
@@ -272,25 +269,12 @@ void IslandPass::AfterGame() {
     m_gameWasCalled = true;
     m_isLinked = m_isLinked && !m_seedsAreAwake;
     m_seedsAreAwake = m_awakeAlone = false;
-    MakeRoom();
     if (m_table == nullptr || !HasLeft(m_table))
         return;
     m_table = nullptr;
     m_isLinked = false;
     for (b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext())
         PutPlaceBack(body); // there may be a gear by now
-}
-
-/// A game that steps the world inside PostSolve unlocks it, and may make more of everything.
-void IslandPass::MakeRoom() {
-    if (m_world->GetBodyCount() <= m_bodyCount && m_world->GetContactCount() <= m_contactCount &&
-        m_world->GetJointCount() <= m_jointCount)
-        return;
-    m_bodyCount = m_world->GetBodyCount();
-    m_contactCount = m_world->GetContactCount();
-    m_jointCount = m_world->GetJointCount();
-    m_solver->Reserve(static_cast<uint32_t>(m_bodyCount), static_cast<uint32_t>(m_contactCount),
-                      static_cast<uint32_t>(m_jointCount));
 }
 
 // Behind the islands.

@@ -43,10 +43,7 @@ private:
 /// A solver for one pass.
 class TakenSolver {
 public:
-    TakenSolver(uint32_t bodies, uint32_t contacts, uint32_t joints)
-        : m_solver(PerThread<IslandSolvers>()->Take()) {
-        m_solver->Reserve(bodies, contacts, joints);
-    }
+    TakenSolver() : m_solver(PerThread<IslandSolvers>()->Take()) {}
     ~TakenSolver() { IslandSolvers::GiveBack(m_solver); }
     TakenSolver(const TakenSolver &) = delete;
     TakenSolver &operator=(const TakenSolver &) = delete;
@@ -133,14 +130,12 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
     Collide(&manager, table);
     profile.collide = laps.Next();
     if (advances && world->*Named(StepComplete())) {
-        const TakenSolver solver(static_cast<uint32_t>(world->GetBodyCount()),
-                                 static_cast<uint32_t>(world->GetContactCount()),
-                                 static_cast<uint32_t>(world->GetJointCount()));
+        const TakenSolver solver;
         SolveIslands(world, step, solver.Get(), table);
         profile.solve = laps.Next();
     }
     if (advances && world->GetContinuousPhysics()) {
-        const TakenSolver solver(2 * b2_maxTOIContacts, b2_maxTOIContacts, 0);
+        const TakenSolver solver;
         SolveImpacts(world, step, solver.Get(), table);
         profile.solveTOI = laps.Next();
     }

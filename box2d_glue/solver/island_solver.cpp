@@ -72,22 +72,6 @@ bool StaysAsItIs(const b2Body &body) {
 
 } // namespace
 
-void IslandSolver::Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints) {
-    const uint32_t waiting = 2 * bodies; // one island, and those that wait: no more than m_mostBodies
-    m_mostBodies = bodies;
-    m_room.stack.Reserve(bodies);
-    m_bodies.Reserve(waiting);
-    m_contacts.Reserve(contacts);
-    m_joints.Reserve(joints);
-    m_positions.Reserve(waiting);
-    m_velocities.Reserve(waiting);
-    m_islands.Reserve(bodies + 1);
-    m_solver.Reserve(waiting, contacts);
-    m_jointSolver.Reserve(joints);
-    m_orderedVelocities.Reserve(waiting, contacts + joints);
-    m_orderedPositions.Reserve(waiting, contacts);
-}
-
 void IslandSolver::Begin(const b2TimeStep &step, b2ContactListener *listener, bool mayWait) {
     Clear();
     m_step = step;
@@ -102,9 +86,14 @@ void IslandSolver::Clear() {
     m_waiting = {};
 }
 
-void IslandSolver::Add(b2Body *body) {
-    body->*Named(IslandIndex()) = static_cast<int32>(m_bodyCount);
-    m_bodies[m_bodyCount++] = body;
+/// Room for the island, and for those that wait. What is there stays.
+void IslandSolver::Reserve() {
+    m_reserved = 2 * Most();
+    m_positions.Reserve(m_reserved);
+    m_velocities.Reserve(m_reserved);
+    m_solver.Reserve(m_reserved, m_reserved);
+    m_orderedVelocities.Reserve(m_reserved, m_reserved);
+    m_orderedPositions.Reserve(m_reserved, m_reserved);
 }
 
 void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
@@ -119,15 +108,18 @@ void IslandSolver::Solve(const b2Vec2 &gravity, bool allowSleep) {
                      false,
                      false};
     m_mayReorder = m_mayReorder && (m_listener == nullptr || (RoundsToNearest() && IsWhole(island)));
+    if (Most() > m_reserved)
+        Reserve();
     m_solver.Begin(m_step, m_contacts.Data(), Data());
     m_solver.Read(island);
     m_jointSolver.Begin(m_joints.Data(), Data());
     if (MayWait(island)) {
+        m_islands.Reserve(m_islandCount + 1);
         m_islands[m_islandCount++] = island;
         m_waiting.endBody = m_bodyCount;
         m_waiting.endContact = m_contactCount;
         m_waiting.endJoint = m_jointCount;
-        if (m_bodyCount >= m_mostBodies || m_contactCount + m_jointCount >= kEnough) {
+        if (m_contactCount + m_jointCount >= kEnough) {
             SolveWaiting();
             Clear();
         }
@@ -182,13 +174,18 @@ bool IslandSolver::SolveTogether(Island *islands, uint32_t count) {
     all.endBody = last.endBody;
     all.endContact = last.endContact;
     all.endJoint = last.endJoint;
-    const Timer timer(all.firstContact < all.endContact || all.firstJoint < all.endJoint);
+    const bool isBound = all.firstContact < all.endContact || all.firstJoint < all.endJoint;
+    const Timer timer(isBound);
     Prepare(all);
     const float initialized = timer.GetMilliseconds();
-    SolveVelocities(all);
+    if (isBound)
+        SolveVelocities(all);
     IntegratePositions(all);
     const float solved = timer.GetMilliseconds();
-    SolvePositions(islands, count);
+    if (isBound)
+        SolvePositions(islands, count);
+    else
+        islands->isSolved = m_step.positionIterations > 0;
     if (count > 1 && (HasNan(&m_positions[0].c.x, all) || HasNan(&m_velocities[0].v.x, all))) {
         m_jointSolver.PutBack(all);
         return false;
@@ -359,9 +356,11 @@ IslandSolver *IslandSolvers::Take() {
 
 void IslandSolver::SolveToi() {
     const int32 first = m_bodies[0]->*Named(IslandIndex()), second = m_bodies[1]->*Named(IslandIndex());
-    if (!AreAllHere(first, second))
-        return Clear();
     const Island island = {0, m_bodyCount, 0, m_contactCount, 0, 0, false, false};
+    if (!IsWhole(island)) // a step inside this one has numbered bodies anew
+        return Clear();
+    if (Most() > m_reserved)
+        Reserve();
     for (uint32_t i = 0; i < m_bodyCount; ++i) {
         const b2Body &body = *m_bodies[i];
         m_positions[i] = {SweepOf(body).c, SweepOf(body).a};
@@ -386,17 +385,6 @@ void IslandSolver::SolveToi() {
     StoreBodies(island);
     Report(island);
     Clear();
-}
-
-/// Has the island's room a place for each body of its contacts? A step inside this one may have numbered them
-/// anew; Box2D then reads memory that it has not written for this island.
-bool IslandSolver::AreAllHere(int32 first, int32 second) const {
-    const auto isHere = [this](int32 place) { return static_cast<uint32_t>(place) < m_mostBodies; };
-    for (uint32_t i = 0; i < m_contactCount; ++i)
-        if (!isHere(m_contacts[i]->GetFixtureA()->GetBody()->*Named(IslandIndex())) ||
-            !isHere(m_contacts[i]->GetFixtureB()->GetBody()->*Named(IslandIndex())))
-            return false;
-    return static_cast<uint32_t>(b2Max(first, second)) < m_bodyCount;
 }
 
 } // namespace bmr

@@ -7,6 +7,7 @@
 #include <box2d/b2_time_step.h>
 
 #include "base/columns.h"
+#include "base/private_members.h"
 #include "solver/contact_solver.h"
 #include "solver/ordered_contacts.h"
 
@@ -35,7 +36,7 @@ struct IslandRoom {
 
 /// Solves islands with the bits of Box2D's b2Island.
 ///
-/// A pass takes one of the thread's, reserves room, and begins. It then adds an island's bodies, contacts and
+/// A pass takes one of the thread's, and begins. It then adds an island's bodies, contacts and
 /// joints in Box2D's order, and solves it; Solve and SolveToi leave the island empty for the next one.
 ///
 ///     Begin(step, listener)
@@ -43,24 +44,31 @@ struct IslandRoom {
 ///     Finish(profile)
 class IslandSolver {
 public:
-    /// Room for islands of so many.
-    void Reserve(uint32_t bodies, uint32_t contacts, uint32_t joints);
-
     /// Begins a pass. `listener` gets PostSolve, unless it is nullptr. `mayWait`: islands may be solved
     /// together with others, and PostSolve called behind them.
     void Begin(const b2TimeStep &step, b2ContactListener *listener, bool mayWait);
 
     /// Writes the body's m_islandIndex: its place among those that are solved together. Once they are solved
     /// it is the place in Box2D's island.
-    void Add(b2Body *body);
-    void Add(b2Contact *contact) { m_contacts[m_contactCount++] = contact; }
-    void Add(b2Joint *joint) { m_joints[m_jointCount++] = joint; }
+    void Add(b2Body *body) {
+        body->*Named(IslandIndex()) = static_cast<int32>(m_bodyCount);
+        m_bodies.Reserve(m_bodyCount + 1);
+        m_bodies[m_bodyCount++] = body;
+    }
+    void Add(b2Contact *contact) {
+        m_contacts.Reserve(m_contactCount + 1);
+        m_contacts[m_contactCount++] = contact;
+    }
+    void Add(b2Joint *joint) {
+        m_joints.Reserve(m_jointCount + 1);
+        m_jointSolver.Reserve(m_jointCount + 1);
+        m_joints[m_jointCount++] = joint;
+    }
     uint32_t BodyCount() const { return m_bodyCount - m_waiting.endBody; }
     uint32_t ContactCount() const { return m_contactCount - m_waiting.endContact; }
     uint32_t JointCount() const { return m_jointCount - m_waiting.endJoint; }
     b2Body *Body(uint32_t i) const { return m_bodies[m_waiting.endBody + i]; }
     b2Contact *Contact(uint32_t i) const { return m_contacts[m_waiting.endContact + i]; }
-    /// Its stack has room for as many bodies as an island.
     IslandRoom &Room() { return m_room; }
 
     /// b2Island::Solve. If Begin was told so the island may wait to be solved together with others, as late
@@ -79,6 +87,9 @@ private:
     friend class IslandSolvers;
 
     void Clear();
+    /// Bodies, or contacts and joints.
+    uint32_t Most() const { return b2Max(m_bodyCount, m_contactCount + m_jointCount); }
+    void Reserve();
     b2SolverData Data() { return {m_step, m_positions.Data(), m_velocities.Data()}; }
     bool IsWhole(const Island &island) const;
     bool MayWait(const Island &island) const;
@@ -92,7 +103,6 @@ private:
     bool SolvePositions(const Island &island);
     void StoreBodies(const Island &island);
     void StorePlaces(const Island &island);
-    bool AreAllHere(int32 first, int32 second) const;
     void Report(const Island &island);
     void Sleep(const Island &island);
 
@@ -110,7 +120,7 @@ private:
     uint32_t m_islandCount = 0;
     Island m_waiting = {}; ///< all of them
     uint32_t m_bodyCount = 0, m_contactCount = 0, m_jointCount = 0;
-    uint32_t m_mostBodies = 0; ///< of one island
+    uint32_t m_reserved = 0; ///< Most may be this
     b2Vec2 m_gravity = {0.0f, 0.0f};
     bool m_allowSleep = false;
     bool m_mayReorder = false, m_mayWait = false; ///< in this pass
