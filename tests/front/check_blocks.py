@@ -21,7 +21,8 @@ import re
 import subprocess
 import sys
 
-PAGES = ["README.md", "CONTRIBUTING.md", "core/README.md", "core/python/README.md", "docs/*.md", "playground/README.md"]
+PAGES = ["README.md", "CONTRIBUTING.md", "core/README.md", "core/python/README.md", "docs/*.md", "box2d_glue/how-a-pair-is-remembered.md",
+         "playground/README.md"]
 # What the snippets of the pages in C++ are compiled with: what they speak of and do not make.
 CPP = """
 static void Block{number}(b2Body *body) {{
