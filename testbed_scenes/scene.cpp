@@ -10,20 +10,4 @@ void Scene::OnPreSolve(b2Contact &, const b2Manifold &) {}
 void Scene::OnPostSolve(b2Contact &, const b2ContactImpulse &) {}
 void Scene::OnGoodbye(b2Joint &) {}
 
-SceneInfo SceneOfAFile(const char *name, const char *description, int steps, float timeStep,
-                       std::unique_ptr<Scene> (*create)()) {
-    SceneInfo info = {};
-    info.name = name;
-    info.description = description;
-    info.group = name;
-    info.size = 1;
-    info.steps = steps;
-    info.create = create;
-    info.seed = 1;
-    info.timeStep = timeStep;
-    info.velocityIterations = 8;
-    info.positionIterations = 3;
-    return info;
-}
-
 } // namespace testbed

@@ -55,10 +55,6 @@ template <typename T> std::unique_ptr<Scene> CreateScene() {
     return std::make_unique<T>();
 }
 
-/// A scene that is in no list, because a file says what is in it.
-SceneInfo SceneOfAFile(const char *name, const char *description, int steps, float timeStep,
-                       std::unique_ptr<Scene> (*create)());
-
 /// All scenes: the classic ones, then the hard ones, then those of games, then those of any size, then
 /// outlines.
 const std::vector<SceneInfo> &AllScenes();
@@ -70,16 +66,12 @@ void AddClassicStacks(std::vector<SceneInfo> &scenes);
 void AddClassicMotion(std::vector<SceneInfo> &scenes);
 void AddClassicJoints(std::vector<SceneInfo> &scenes);
 void AddClassicExamples(std::vector<SceneInfo> &scenes);
-void AddTerrain(std::vector<SceneInfo> &scenes);
 void AddLongThings(std::vector<SceneInfo> &scenes);
 void AddCoins(std::vector<SceneInfo> &scenes);
 void AddAsteroids(std::vector<SceneInfo> &scenes);
 void AddGears(std::vector<SceneInfo> &scenes);
-void AddBullets(std::vector<SceneInfo> &scenes);
-void AddSensors(std::vector<SceneInfo> &scenes);
-void AddSleepers(std::vector<SceneInfo> &scenes);
+void AddCrowds(std::vector<SceneInfo> &scenes);
 void AddGames(std::vector<SceneInfo> &scenes);
-void AddAnySizeCoins(std::vector<SceneInfo> &scenes);
 void AddAnySizeBodies(std::vector<SceneInfo> &scenes);
 void AddAnySizeWorlds(std::vector<SceneInfo> &scenes);
 void AddOutlines(std::vector<SceneInfo> &scenes);

@@ -5,10 +5,9 @@ namespace testbed {
 const std::vector<SceneInfo> &AllScenes() {
     static const std::vector<SceneInfo> scenes = [] {
         std::vector<SceneInfo> all;
-        for (const auto add :
-             {AddClassicStacks, AddClassicMotion, AddClassicJoints, AddClassicExamples, AddTerrain,
-              AddLongThings, AddCoins, AddAsteroids, AddGears, AddBullets, AddSensors, AddSleepers, AddGames,
-              AddAnySizeCoins, AddAnySizeBodies, AddAnySizeWorlds, AddOutlines})
+        for (const auto add : {AddClassicStacks, AddClassicMotion, AddClassicJoints, AddClassicExamples,
+                               AddLongThings, AddCoins, AddAsteroids, AddGears, AddCrowds, AddGames,
+                               AddAnySizeBodies, AddAnySizeWorlds, AddOutlines})
             add(all);
         return all;
     }();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "box2d_course.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,9 @@
 #include <string>
 
 #include <unistd.h>
+
+#include "theory/course.h"
+#include "workers.h"
 
 namespace testbed {
 namespace {
@@ -99,18 +101,9 @@ void WriteCourse(const Course &course, double scale, int steps, const std::strin
         throw std::runtime_error("writing " + path + " failed");
 }
 
-Box2DCalls CallsOf(const nlohmann::json &summary) {
-    Box2DCalls calls;
-    calls.steps = summary.at("steps").get<int64_t>();
-    calls.tests = summary.at("polygon_tests").get<double>();
-    calls.impacts = summary.at("toi_calls").get<double>();
-    calls.distances = summary.at("distance_calls").get<double>();
-    return calls;
-}
-
 } // namespace
 
-Box2DCourse RunInBox2D(const Course &course, const Workers &workers) {
+Box2DCalls RunInBox2D(const Course &course, const Workers &workers) {
     if (course.BodyOf(0).Polygon()->count < 3 || course.BodyOf(1).Polygon()->count < 3)
         throw std::runtime_error("Box2D has no body that is a point");
     if (!workers.CanCount())
@@ -123,14 +116,20 @@ Box2DCourse RunInBox2D(const Course &course, const Workers &workers) {
     request.steps = StepsFor(course, scale);
     WriteCourse(course, scale, static_cast<int>(request.steps), file.Path());
 
-    Box2DCourse result;
-    result.stock = CallsOf(workers.Summarise(request, {}));
-    request.side = Side::Plugin;
-    const nlohmann::json summary = workers.Summarise(request, {});
-    result.plugin = CallsOf(summary);
-    for (const char *kind : {"push", "stab", "roll", "contact", "leave"})
-        result.pluginEvents += summary.at("plugin").at("events").at(kind).get<double>();
-    return result;
+    Box2DCalls calls = {};
+    for (size_t i = 0; i < 2; ++i) {
+        request.side = i == 0 ? Side::Stock : Side::Plugin;
+        const nlohmann::json summary = workers.Summarise(request, {});
+        if (i == 0)
+            calls[0] = summary.at("steps").get<double>();
+        size_t place = 1 + 3 * i;
+        for (const char *count : {"polygon_tests", "toi_calls", "distance_calls"})
+            calls[place++] = summary.at(count).get<double>();
+        for (const char *kind : {"push", "stab", "roll", "contact", "leave"})
+            if (i == 1)
+                calls[7] += summary.at("plugin").at("events").at(kind).get<double>();
+    }
+    return calls;
 }
 
 } // namespace testbed

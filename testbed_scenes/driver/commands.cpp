@@ -2,34 +2,23 @@
 #include "commands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <sstream>
 
 #include <unistd.h>
 
 #include "command_line/nearest.h"
+#include "command_line/usage.h"
 #include "compare.h"
-#include "progress.h"
-#include "table.h"
+#include "terminal.h"
 #include "theory/figure.h"
 
 namespace testbed {
-namespace {
 
-int CompareExitCode(const std::vector<SceneResult> &results) {
-    int code = kExitOk;
-    for (const SceneResult &result : results) {
-        // A failed worker outweighs a difference: without it nothing is known of the scene.
-        if (result.verdict == Verdict::Failed)
-            return kExitWorker;
-        if (result.verdict == Verdict::Different)
-            code = kExitDifferent;
-    }
-    return code;
-}
-
-} // namespace
+// --- what commands share ---
 
 void FailUnknown(const std::string &what, const std::string &name, const std::vector<std::string> &names,
                  const std::string &where) {
@@ -37,15 +26,65 @@ void FailUnknown(const std::string &what, const std::string &name, const std::ve
                      " (" + where + ")");
 }
 
-const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::string &name) {
-    std::vector<std::string> names;
-    for (const SceneInfo &scene : scenes) {
-        if (scene.name == name)
-            return scene;
-        names.push_back(scene.name);
-    }
-    FailUnknown("scene", name, names, "boomerang-testbed list shows all");
+size_t IndexOf(const std::string &what, const std::string &name, const std::vector<std::string> &names,
+               const std::string &where) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        FailUnknown(what, name, names, where);
+    return static_cast<size_t>(found - names.begin());
 }
+
+const SceneInfo &FindScene(const std::vector<SceneInfo> &scenes, const std::string &name) {
+    return scenes[IndexOf("scene", name, NamesOf(scenes.size(), [&](size_t i) { return scenes[i].name; }),
+                          "boomerang-testbed list shows all")];
+}
+
+std::vector<double> NumbersIn(const std::string &text, char separator, double least, double most,
+                              const std::string &option, const std::string &what, bool whole) {
+    std::vector<double> numbers;
+    std::istringstream words(text + separator);
+    for (std::string word; std::getline(words, word, separator);) {
+        char *end = nullptr;
+        const double number = std::strtod(word.c_str(), &end);
+        if (word.empty() || *end != '\0' || !(number >= least && number <= most) ||
+            (whole && number != std::floor(number)))
+            throw UsageError(option + ": \"" + word + "\" is no " + what);
+        numbers.push_back(number);
+    }
+    return numbers;
+}
+
+CLI::Range AtLeast(int least) {
+    return CLI::Range(least, 100000000);
+}
+
+void AddStructureOption(CLI::App &app, WorkerOptions &worker, const std::vector<std::string> &structures) {
+    app.add_option("--structure", worker.structure,
+                   "The structure of the paper that holds each pair of bodies (default: a line a contact, as "
+                   "games have it)")
+        ->check(CLI::IsMember(structures));
+}
+
+void AddSceneOptions(CLI::App &app, WorkerOptions &worker) {
+    app.add_option("--size", worker.size, "How much of everything there is (default: the scene's own)")
+        ->check(AtLeast(1));
+    app.add_option("--seed", worker.seed, "Seed of the scene's random numbers (default: the scene's own)")
+        ->check(command_line::CheckSeed);
+}
+
+void AddPluginSwitch(CLI::App &app, bool &plugin) {
+    app.add_option_function<std::string>(
+           "--plugin", [&plugin](const std::string &value) { plugin = value == "on"; },
+           "With the plugin, or stock Box2D (default: on)")
+        ->check(CLI::IsMember({"on", "off"}));
+}
+
+namespace {
+
+const std::vector<std::string> kPluginStructures = {"lazy-compass", "lazy-dudley", "free-direction",
+                                                    "two-lines"};
+
+// --- list ---
 
 int List(const Workers &workers) {
     const std::vector<SceneInfo> scenes = workers.List();
@@ -59,8 +98,7 @@ int List(const Workers &workers) {
             std::cout << (group.empty() ? "" : "\n") << Styled(scene.group, Style::Strong, colour) << '\n';
             group = scene.group;
         }
-        std::cout << "  " << scene.name << std::string(width + 2 - scene.name.size(), ' ')
-                  << scene.description << ' '
+        std::cout << "  " << Padded(scene.name, width + 2) << scene.description << ' '
                   << Styled("(size " + std::to_string(scene.size) + ", " + std::to_string(scene.steps) +
                                 " steps)",
                             Style::Faint, colour)
@@ -68,6 +106,17 @@ int List(const Workers &workers) {
     }
     return kExitOk;
 }
+
+// --- run ---
+
+struct RunCommand {
+    std::string scene;
+    std::optional<int64_t> steps;
+    bool plugin = true;
+    bool hash = false;
+    bool time = false;
+    WorkerOptions worker;
+};
 
 int Execute(const RunCommand &command, const Workers &workers) {
     const SceneInfo scene = FindScene(workers.List(), command.scene);
@@ -77,7 +126,7 @@ int Execute(const RunCommand &command, const Workers &workers) {
     request.steps = command.steps.value_or(scene.steps);
     request.mode = command.hash ? "hash" : command.time ? "time" : "count";
     Progress progress(1, command.hash);
-    progress.Show(scene.name, 0.0);
+    progress.Show(scene.name);
     const nlohmann::json summary = workers.Summarise(
         request, command.worker, [&progress] { progress.Tick(); },
         [&command](const std::string &line) {
@@ -89,7 +138,27 @@ int Execute(const RunCommand &command, const Workers &workers) {
     return kExitOk;
 }
 
-namespace {
+// --- compare ---
+
+struct CompareCommand {
+    std::vector<std::string> scenes;
+    CompareOptions options;
+    bool noTime = false;
+    bool details = false;
+    bool quiet = false;
+};
+
+int CompareExitCode(const std::vector<SceneResult> &results) {
+    int code = kExitOk;
+    for (const SceneResult &result : results) {
+        // A failed worker outweighs a difference: without it nothing is known of the scene.
+        if (result.verdict == Verdict::Failed)
+            return kExitWorker;
+        if (result.verdict == Verdict::Different)
+            code = kExitDifferent;
+    }
+    return code;
+}
 
 /// A nudge after the last step would be no control: nothing could show it.
 void CheckPerturb(const std::vector<SceneInfo> &scenes, const CompareOptions &options) {
@@ -101,9 +170,8 @@ void CheckPerturb(const std::vector<SceneInfo> &scenes, const CompareOptions &op
     }
 }
 
-} // namespace
-
-int Execute(const CompareCommand &command, const Workers &workers) {
+int Execute(CompareCommand &command, const Workers &workers) {
+    command.options.time = !command.noTime;
     const std::vector<SceneInfo> all = workers.List();
     std::vector<SceneInfo> scenes = command.scenes.empty() ? all : std::vector<SceneInfo>();
     for (const std::string &name : command.scenes)
@@ -140,30 +208,14 @@ int Execute(const CompareCommand &command, const Workers &workers) {
     return CompareExitCode(results);
 }
 
-namespace {
+// --- figures ---
 
-const FigureInfo &FindFigure(const std::string &name) {
-    const std::vector<FigureInfo> &figures = AllFigures();
-    const auto found = std::find_if(figures.begin(), figures.end(),
-                                    [&name](const FigureInfo &figure) { return name == figure.name; });
-    if (found != figures.end())
-        return *found;
-    std::vector<std::string> names;
-    for (const FigureInfo &figure : figures)
-        names.emplace_back(figure.name);
-    FailUnknown("figure", name, names);
-}
-
-void ListFigures() {
-    constexpr size_t kNameWidth = 22, kSectionWidth = 18;
-    for (const FigureInfo &figure : AllFigures()) {
-        std::string line = figure.name;
-        line.resize(std::max(kNameWidth, line.size() + 1), ' ');
-        line += figure.section;
-        line.resize(std::max(kNameWidth + kSectionWidth, line.size() + 1), ' ');
-        std::cout << line << figure.title << '\n';
-    }
-}
+struct FiguresCommand {
+    std::vector<std::string> names; ///< none: all
+    std::string directory = ".";
+    std::string format = "svg";
+    bool list = false;
+};
 
 void Draw(const FigureInfo &figure, const std::string &path) {
     Canvas canvas(path, figure.width, figure.height);
@@ -172,29 +224,92 @@ void Draw(const FigureInfo &figure, const std::string &path) {
     std::cout << path << '\n';
 }
 
-} // namespace
-
 int Execute(const FiguresCommand &command) {
-    std::vector<const FigureInfo *> wanted;
+    const std::vector<FigureInfo> &figures = AllFigures();
+    std::vector<FigureInfo> wanted;
+    const auto names = NamesOf(figures.size(), [&](size_t i) { return figures[i].name; });
     for (const std::string &name : command.names)
-        wanted.push_back(&FindFigure(name));
+        wanted.push_back(figures[IndexOf("figure", name, names)]);
     if (command.list) {
-        ListFigures();
+        for (const FigureInfo &figure : figures)
+            std::cout << Padded(Padded(figure.name, 22) + figure.section, 40) << figure.title << '\n';
         return kExitOk;
     }
-    if (wanted.empty())
-        for (const FigureInfo &figure : AllFigures())
-            wanted.push_back(&figure);
     std::error_code error;
     std::filesystem::create_directories(command.directory, error);
     if (error)
         throw std::runtime_error("cannot make the directory " + command.directory + ": " + error.message());
-    for (const FigureInfo *figure : wanted)
+    for (const FigureInfo &figure : wanted.empty() ? figures : wanted)
         for (const char *format : {"svg", "png"})
             if (command.format == format || command.format == "both")
-                Draw(*figure,
-                     (std::filesystem::path(command.directory) / figure->name).string() + "." + format);
+                Draw(figure,
+                     (std::filesystem::path(command.directory) / figure.name).string() + "." + format);
     return kExitOk;
+}
+
+} // namespace
+
+void AddList(CLI::App &app, Program &program) {
+    app.add_subcommand("list", "Show the scenes")->callback([&program] {
+        program.status = List(Workers(program.directory));
+    });
+}
+
+void AddRun(CLI::App &app, Program &program) {
+    const auto command = std::make_shared<RunCommand>();
+    CLI::App *run = app.add_subcommand("run", "Run one scene on one side");
+    run->add_option("scene", command->scene, "A name that `list` shows")->required();
+    run->add_option("--steps", command->steps, "Steps to simulate (default: the scene's own)")
+        ->check(AtLeast(1));
+    AddPluginSwitch(*run, command->plugin);
+    AddStructureOption(*run, command->worker, kPluginStructures);
+    CLI::Option *hash = run->add_flag("--hash", command->hash, "Print the hashes of every step");
+    run->add_flag("--time", command->time, "Time the steps instead of counting calls")->excludes(hash);
+    AddSceneOptions(*run, command->worker);
+    run->callback([command, &program] { program.status = Execute(*command, Workers(program.directory)); });
+}
+
+void AddCompare(CLI::App &app, Program &program) {
+    const auto command = std::make_shared<CompareCommand>();
+    CompareOptions &options = command->options;
+    CLI::App *compare = app.add_subcommand(
+        "compare", "Compare stock Box2D with the plugin: bit by bit, call by call, and by the clock");
+    compare->add_option("scenes", command->scenes, "Names that `list` shows (default: all)");
+    compare->add_option("--steps", options.steps, "Steps of each scene (default: the scene's own)")
+        ->check(AtLeast(1));
+    CLI::Option *repeat =
+        compare->add_option("--repeat", options.repeat, "Timed runs of each side, interleaved")
+            ->check(CLI::Range(1, 1000))
+            ->capture_default_str();
+    compare->add_flag("--no-time", command->noTime, "Leave the timed runs out")->excludes(repeat);
+    CLI::Option *details = compare->add_flag(
+        "--details", command->details,
+        "All tables: calls of Box2D, budgets, events and times, and what their columns mean");
+    compare->add_flag("--quiet", command->quiet, "Only differences and the verdict")->excludes(details);
+    AddStructureOption(*compare, options.worker, kPluginStructures);
+    AddSceneOptions(*compare, options.worker);
+    compare
+        ->add_option("--perturb", options.perturb,
+                     "Control: after this step (the first is 0) nudge one velocity by one bit on the "
+                     "plugin's side; the "
+                     "difference must be found")
+        ->check(AtLeast(0));
+    compare->callback(
+        [command, &program] { program.status = Execute(*command, Workers(program.directory)); });
+}
+
+void AddFigures(CLI::App &app, Program &program) {
+    const auto command = std::make_shared<FiguresCommand>();
+    CLI::App *figures = app.add_subcommand(
+        "figures", "Draw the figures of the paper, and those that explain it, from the real structures");
+    figures->add_option("names", command->names, "Figures that --list shows (default: all)");
+    figures->add_option("-o,--output", command->directory, "The directory to write into; made if missing")
+        ->capture_default_str();
+    figures->add_option("--format", command->format, "svg, png or both")
+        ->check(CLI::IsMember({"svg", "png", "both"}))
+        ->capture_default_str();
+    figures->add_flag("--list", command->list, "Show their names and draw nothing");
+    figures->callback([command, &program] { program.status = Execute(*command); });
 }
 
 } // namespace testbed

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "progress.h"
+#include "terminal.h"
 #include "workers.h"
 
 namespace testbed {

@@ -3,21 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <sstream>
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
-
-#include "box2d_course.h"
-#include "command_line/nearest.h"
 #include "drawing/whole_file.h"
-#include "progress.h"
-#include "table.h"
+#include "terminal.h"
 #include "theory/event_tables.h"
 
 namespace testbed {
@@ -28,11 +23,30 @@ constexpr double kRatioFactor = 4.0;
 /// Columns of structures in one table: what fits some 110 characters.
 constexpr size_t kNarrowColumns = 8, kWideColumns = 6;
 
-std::vector<std::string> StructureNames() {
-    std::vector<std::string> names;
-    for (size_t i = 0; i < bmr_kds_count(); ++i)
-        names.emplace_back(bmr_kds_at(i)->name);
-    return names;
+struct EventsCommand {
+    std::vector<std::string> motions;    ///< none: all
+    std::vector<std::string> structures; ///< names or groups; none: "default"
+    size_t n = 64;
+    std::string shape = "ellipse:disc";
+    std::string ratios = "8:2048";
+    unsigned seeds = 3;
+    std::vector<std::string> polygons;
+    std::string motion;
+    std::string csv;
+    bool audit = false, noOptimum = false, quiet = false, list = false, box2d = false;
+};
+
+// --- what is asked for ---
+
+const std::vector<std::string> kGroups = {"all",    "recommended", "controls", "rivals",
+                                          "points", "translation", "rigid"};
+
+std::vector<std::string> MotionNames() {
+    return NamesOf(BMR_FAMILY_COUNT, [](size_t i) { return bmr_family_name(static_cast<bmr_family>(i)); });
+}
+
+std::vector<std::string> ShapeNames() {
+    return NamesOf(BMR_OUTLINE_COUNT, [](size_t i) { return bmr_outline_name(static_cast<bmr_outline>(i)); });
 }
 
 /// What a word on the command line stands for: a group or one structure.
@@ -49,52 +63,23 @@ std::vector<const bmr_kds_info *> StructuresFor(const std::string &word) {
             found.push_back(info);
     }
     if (found.empty()) {
-        std::vector<std::string> names = StructureNames();
-        names.insert(names.end(),
-                     {"all", "recommended", "controls", "rivals", "points", "translation", "rigid"});
+        std::vector<std::string> names =
+            NamesOf(bmr_kds_count(), [](size_t k) { return bmr_kds_at(k)->name; });
+        names.insert(names.end(), kGroups.begin(), kGroups.end());
         FailUnknown("structure", word, names);
     }
     return found;
 }
 
-bmr_family FamilyFor(const std::string &word) {
-    const bmr_family family = bmr_family_find(word.c_str());
-    if (family != BMR_FAMILY_COUNT)
-        return family;
-    std::vector<std::string> names;
-    for (int i = 0; i < BMR_FAMILY_COUNT; ++i)
-        names.emplace_back(bmr_family_name(static_cast<bmr_family>(i)));
-    FailUnknown("motion", word, names);
-}
-
 bmr_outline OutlineFor(const std::string &word) {
-    std::vector<std::string> names;
-    for (int i = 0; i < BMR_OUTLINE_COUNT; ++i) {
-        const auto outline = static_cast<bmr_outline>(i);
-        if (word == bmr_outline_name(outline))
-            return outline;
-        names.emplace_back(bmr_outline_name(outline));
-    }
-    FailUnknown("shape", word, names);
+    return static_cast<bmr_outline>(IndexOf("shape", word, ShapeNames()));
 }
 
 /// "LOW:HIGH" in factors of four, or "R1,R2,..".
 std::vector<double> RatiosFor(const std::string &text) {
-    std::vector<double> ratios;
-    std::istringstream words(text);
     const bool isRange = text.find(':') != std::string::npos;
-    for (std::string word; std::getline(words, word, isRange ? ':' : ',');) {
-        size_t used = 0;
-        double ratio = 0.0;
-        try {
-            ratio = std::stod(word, &used);
-        } catch (const std::exception &) {
-            used = 0;
-        }
-        if (used == 0 || used != word.size() || !(ratio >= 1.0 && ratio <= 1e9))
-            throw UsageError("--ratios: \"" + word + "\" is no number from 1 to 1e9");
-        ratios.push_back(ratio);
-    }
+    std::vector<double> ratios =
+        NumbersIn(text, isRange ? ':' : ',', 1.0, 1e9, "--ratios", "number from 1 to 1e9");
     if (isRange) {
         if (ratios.size() != 2 || ratios[0] > ratios[1])
             throw UsageError("--ratios: a range is LOW:HIGH");
@@ -104,8 +89,6 @@ std::vector<double> RatiosFor(const std::string &text) {
         while (ratios.back() * kRatioFactor <= high * 1.000001)
             ratios.push_back(ratios.back() * kRatioFactor);
     }
-    if (ratios.empty())
-        throw UsageError("--ratios: none given");
     std::sort(ratios.begin(), ratios.end());
     return ratios;
 }
@@ -114,7 +97,7 @@ std::vector<double> RatiosFor(const std::string &text) {
 Experiment ExperimentFor(const EventsCommand &command) {
     Experiment experiment;
     for (const std::string &word : command.motions)
-        experiment.motions.push_back(FamilyFor(word));
+        experiment.motions.push_back(static_cast<bmr_family>(IndexOf("motion", word, MotionNames())));
     if (command.motions.empty())
         for (int i = 0; i < BMR_FAMILY_COUNT; ++i)
             experiment.motions.push_back(static_cast<bmr_family>(i));
@@ -144,29 +127,28 @@ Experiment ExperimentFor(const EventsCommand &command) {
     return experiment;
 }
 
-void List() {
+void ListStructures() {
     std::cout << "structures\n";
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         const bmr_kds_info *info = bmr_kds_at(i);
         const char *domain = info->domain == BMR_KDS_POINT         ? "point"
                              : info->domain == BMR_KDS_TRANSLATION ? "translation"
                                                                    : "rigid";
-        std::string line = std::string("  ") + info->name;
-        line.resize(std::max<size_t>(28, line.size() + 1), ' ');
-        line += domain;
-        line.resize(std::max<size_t>(41, line.size() + 1), ' ');
-        line += info->role == BMR_KDS_RECOMMENDED ? "recommended"
-                : info->role == BMR_KDS_RIVAL     ? "rival"
-                                                  : "control";
-        line.resize(std::max<size_t>(54, line.size() + 1), ' ');
-        std::cout << line << info->title << " (" << info->section << ")\n";
+        const char *role = info->role == BMR_KDS_RECOMMENDED ? "recommended"
+                           : info->role == BMR_KDS_RIVAL     ? "rival"
+                                                             : "control";
+        const std::string name = Padded(std::string("  ") + info->name, 28);
+        std::cout << Padded(Padded(name + domain, 41) + role, 54) << info->title << " (" << info->section
+                  << ")\n";
     }
-    std::cout << "groups\n  all, recommended, controls, rivals, points, translation, rigid\nmotions\n ";
-    for (int i = 0; i < BMR_FAMILY_COUNT; ++i)
-        std::cout << ' ' << bmr_family_name(static_cast<bmr_family>(i));
-    std::cout << "\nshapes\n ";
-    for (int i = 0; i < BMR_OUTLINE_COUNT; ++i)
-        std::cout << ' ' << bmr_outline_name(static_cast<bmr_outline>(i));
+    const auto print = [](const char *what, const std::vector<std::string> &names, const char *between) {
+        std::cout << what << "\n ";
+        for (size_t i = 0; i < names.size(); ++i)
+            std::cout << (i > 0 ? between : " ") << names[i];
+    };
+    print("groups", kGroups, ", ");
+    print("\nmotions", MotionNames(), " ");
+    print("\nshapes", ShapeNames(), " ");
     std::cout << " point (B only)\n";
 }
 
@@ -206,8 +188,7 @@ public:
                const std::function<std::string(const bmr_kds_info *)> &summary = {}) const {
         for (size_t first = 0; first < m_structures.size(); first += m_columns) {
             const size_t last = std::min(m_structures.size(), first + m_columns);
-            Table table;
-            table.AddColumn("", "motion");
+            Table table = {{"", "motion"}};
             for (const auto &column : leading)
                 table.AddColumn("", column.first);
             for (size_t i = first; i < last; ++i) {
@@ -278,15 +259,14 @@ void PrintGrowth(const std::vector<Run> &runs, bool colour) {
 
 /// The four qualities of a kinetic structure, over all runs.
 void PrintQualities(const std::vector<Run> &runs, bool colour) {
-    Table table;
-    table.AddColumn("", "structure");
-    table.AddColumn("compact", "conditions");
-    table.AddColumn("compact", "bytes");
-    table.AddColumn("responsive: touched", "mean");
-    table.AddColumn("responsive: touched", "most");
-    table.AddColumn("local", "replanned");
-    table.AddColumn("efficient", "events/external");
-    table.AddColumn("hysteresis", "least rho");
+    Table table = {{"", "structure"},
+                 {"compact", "conditions"},
+                 {"compact", "bytes"},
+                 {"responsive: touched", "mean"},
+                 {"responsive: touched", "most"},
+                 {"local", "replanned"},
+                 {"efficient", "events/external"},
+                 {"hysteresis", "least rho"}};
     for (const bmr_kds_info *structure : StructuresOf(runs)) {
         const QualitySummary qualities = QualitiesOver(runs, structure);
         table.AddRow({{structure->name},
@@ -302,65 +282,46 @@ void PrintQualities(const std::vector<Run> &runs, bool colour) {
     std::cout << '\n';
 }
 
-/// What Box2D asked along the same courses, summed up by motion: means over the courses.
+/// What Box2D asked along the same courses, by motion: means over the courses.
 class Box2DTable {
 public:
-    void Add(const std::string &motion, const Box2DCourse &course) {
-        for (Row &row : m_rows)
-            if (row.motion == motion) {
-                row.courses.push_back(course);
-                return;
-            }
-        m_rows.push_back({motion, {course}});
+    void Add(const std::string &motion, const Box2DCalls &calls) {
+        const auto isIts = [&](const Row &row) { return row.motion == motion; };
+        auto row = std::find_if(m_rows.begin(), m_rows.end(), isIts);
+        if (row == m_rows.end())
+            row = m_rows.insert(row, {motion, {}, 0.0});
+        for (size_t i = 0; i < calls.size(); ++i)
+            row->sums[i] += calls[i];
+        ++row->courses;
     }
-    /// A line for each motion: what stock asked, and how many events the first structure had that takes it;
-    /// means over the courses.
+    /// A line for each motion: what stock asked, and how many events the first structure had that takes it.
     void PrintQuestions(const std::vector<Run> &runs, size_t ratioIndex) const {
-        for (const Row &row : m_rows) {
-            double questions = 0.0, steps = 0.0;
-            for (const Box2DCourse &course : row.courses) {
-                questions += course.stock.tests + course.stock.impacts + course.stock.distances;
-                steps += static_cast<double>(course.stock.steps);
-            }
-            const auto courses = static_cast<double>(row.courses.size());
+        for (const Row &row : m_rows)
             for (const bmr_kds_info *structure : StructuresOf(runs)) {
                 const auto events = MeanOver(runs, row.motion, structure, ratioIndex);
                 if (!events)
                     continue;
-                std::cout << QuestionsFor(row.motion, questions / courses,
-                                          "in " + Counted(std::round(steps / courses)) +
+                const double asked = row.sums[1] + row.sums[2] + row.sums[3];
+                std::cout << QuestionsFor(row.motion, asked / row.courses,
+                                          "in " + Counted(std::round(row.sums[0] / row.courses)) +
                                               " steps of stock Box2D",
                                           *events, std::string(" of ") + structure->name)
                           << '\n';
                 break;
             }
-        }
         std::cout << '\n';
     }
     void Print(bool colour) const {
-        Table table;
-        table.AddColumn("", "motion");
-        table.AddColumn("", "steps");
+        Table table = {{"", "motion"}, {"", "steps"}};
         for (const char *side : {"stock Box2D", "with the plugin"})
             for (const char *what : {"tests", "impacts", "distances"})
                 table.AddColumn(side, what);
         table.AddColumn("with the plugin", "events");
         for (const Row &row : m_rows) {
-            auto mean = [&row](const std::function<double(const Box2DCourse &)> &of) {
-                double sum = 0.0;
-                for (const Box2DCourse &course : row.courses)
-                    sum += of(course);
-                return Table::Cell{Fixed(sum / static_cast<double>(row.courses.size()), 0)};
-            };
-            table.AddRow({{row.motion},
-                          mean([](const Box2DCourse &c) { return static_cast<double>(c.stock.steps); }),
-                          mean([](const Box2DCourse &c) { return c.stock.tests; }),
-                          mean([](const Box2DCourse &c) { return c.stock.impacts; }),
-                          mean([](const Box2DCourse &c) { return c.stock.distances; }),
-                          mean([](const Box2DCourse &c) { return c.plugin.tests; }),
-                          mean([](const Box2DCourse &c) { return c.plugin.impacts; }),
-                          mean([](const Box2DCourse &c) { return c.plugin.distances; }),
-                          mean([](const Box2DCourse &c) { return c.pluginEvents; })});
+            std::vector<Table::Cell> cells = {{row.motion}};
+            for (const double sum : row.sums)
+                cells.push_back({Fixed(sum / row.courses, 0)});
+            table.AddRow(std::move(cells));
         }
         table.Print(std::cout, colour);
         std::cout << '\n';
@@ -369,7 +330,8 @@ public:
 private:
     struct Row {
         std::string motion;
-        std::vector<Box2DCourse> courses;
+        Box2DCalls sums;
+        double courses;
     };
     std::vector<Row> m_rows;
 };
@@ -406,9 +368,58 @@ void PrintTables(const EventsCommand &command, const Experiment &experiment, con
     }
 }
 
+int CountEvents(const EventsCommand &command, const std::string &workersDirectory) {
+    Experiment experiment = ExperimentFor(command);
+    Box2DTable box2d;
+    std::optional<Workers> workers; // only --box2d needs them
+    if (command.box2d) {
+        workers.emplace(workersDirectory);
+        experiment.onCourse = [&](const Course &course, const std::string &motion, size_t ratioIndex,
+                                  uint64_t) {
+            if (ratioIndex + 1 == std::max<size_t>(experiment.ratios.size(), 1) ||
+                !experiment.motionFile.empty())
+                box2d.Add(motion, RunInBox2D(course, *workers));
+        };
+    }
+    if (!command.csv.empty())
+        CheckWritable(command.csv);
+    Progress progress(1, command.quiet);
+    const std::vector<Run> runs =
+        Perform(experiment, [&](const std::string &what, size_t done, size_t total) {
+            progress.Show(what, static_cast<double>(done) / static_cast<double>(std::max<size_t>(total, 1)));
+        });
+    progress.Clear();
+    if (runs.empty())
+        throw UsageError("none of these structures takes any of these motions");
+    if (!command.quiet)
+        PrintTables(command, experiment, runs, box2d);
+    if (!command.csv.empty()) {
+        std::ostringstream csv;
+        WriteCsv(csv, runs);
+        WriteWholeFile(command.csv, csv.str());
+    }
+    return kExitOk;
+}
+
+int Execute(const EventsCommand &command, const std::string &workersDirectory) {
+    if (command.list) {
+        ListStructures();
+        return kExitOk;
+    }
+    if (command.polygons.size() > 2)
+        throw UsageError("--polygon: A's and B's, and no third");
+    try {
+        return CountEvents(command, workersDirectory);
+    } catch (const FileError &error) {
+        throw UsageError(error.what());
+    }
+}
+
 } // namespace
 
-CLI::App *AddEvents(CLI::App &app, EventsCommand &command) {
+void AddEvents(CLI::App &app, Program &program) {
+    const auto kept = std::make_shared<EventsCommand>();
+    EventsCommand &command = *kept;
     CLI::App *events = app.add_subcommand(
         "events", "Count the events of the kinetic structures along motions of two polygons");
     events->add_option("motions", command.motions, "Motions that --list shows (default: all)");
@@ -441,62 +452,7 @@ CLI::App *AddEvents(CLI::App &app, EventsCommand &command) {
     events->add_flag("--quiet", command.quiet, "No tables");
     events->add_flag("--list", command.list, "Show structures, motions and shapes, and run nothing");
     events->footer(kFiles);
-    return events;
-}
-
-namespace {
-
-int CountEvents(const EventsCommand &command, const std::string &workersDirectory) {
-    Experiment experiment = ExperimentFor(command);
-    Box2DTable box2d;
-    std::optional<Workers> workers; // only --box2d needs them
-    if (command.box2d) {
-        workers.emplace(workersDirectory);
-        experiment.onCourse = [&](const Course &course, const std::string &motion, size_t ratioIndex,
-                                  uint64_t) {
-            if (ratioIndex + 1 == std::max<size_t>(experiment.ratios.size(), 1) ||
-                !experiment.motionFile.empty())
-                box2d.Add(motion, RunInBox2D(course, *workers));
-        };
-    }
-    if (!command.csv.empty())
-        CheckWritable(command.csv);
-    std::vector<Run> runs;
-    {
-        constexpr int kUnits = 1000;
-        Progress progress(kUnits, command.quiet);
-        runs = Perform(experiment, [&progress](const std::string &what, size_t done, size_t total) {
-            progress.FinishUpTo(static_cast<int>(kUnits * done / std::max<size_t>(total, 1)));
-            progress.Show(what, 0.0);
-        });
-        progress.Clear();
-    }
-    if (runs.empty())
-        throw UsageError("none of these structures takes any of these motions");
-    if (!command.quiet)
-        PrintTables(command, experiment, runs, box2d);
-    if (!command.csv.empty()) {
-        std::ostringstream csv;
-        WriteCsv(csv, runs);
-        WriteWholeFile(command.csv, csv.str());
-    }
-    return kExitOk;
-}
-
-} // namespace
-
-int Execute(const EventsCommand &command, const std::string &workersDirectory) {
-    if (command.list) {
-        List();
-        return kExitOk;
-    }
-    if (command.polygons.size() > 2)
-        throw UsageError("--polygon: A's and B's, and no third");
-    try {
-        return CountEvents(command, workersDirectory);
-    } catch (const FileError &error) {
-        throw UsageError(error.what());
-    }
+    events->callback([kept, &program] { program.status = Execute(*kept, program.directory); });
 }
 
 } // namespace testbed

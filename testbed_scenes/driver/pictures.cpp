@@ -5,9 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <sstream>
-
-#include <CLI/CLI.hpp>
 
 #include "commands.h"
 #include "drawing/whole_file.h"
@@ -20,27 +17,6 @@ namespace fs = std::filesystem;
 
 /// Room around a periodic box, in parts of it: bodies reach over its sides.
 constexpr double kAroundBox = 0.06;
-
-/// Numbers between commas; empty if the text is anything else.
-std::vector<double> ReadNumbers(const std::string &text) {
-    std::vector<double> numbers;
-    std::istringstream stream(text);
-    for (std::string word; std::getline(stream, word, ',');) {
-        std::size_t used = 0;
-        try {
-            numbers.push_back(std::stod(word, &used));
-        } catch (const std::exception &) {
-            return {};
-        }
-        if (used != word.size() || !std::isfinite(numbers.back()))
-            return {};
-    }
-    return !text.empty() && text.back() == ',' ? std::vector<double>() : numbers;
-}
-
-bool IsNumberOfABody(double number) {
-    return number >= 0.0 && number <= 1e9 && number == std::floor(number);
-}
 
 /// Before the work: the picture must have a place.
 void CheckOutput(const std::string &output) {
@@ -158,21 +134,19 @@ void PictureSeries::ReadFocus() {
     const std::string &text = m_request.focus;
     if (text.empty())
         return;
-    const std::vector<double> numbers = ReadNumbers(text);
-    if ((numbers.size() == 1 || numbers.size() == 2) &&
-        std::all_of(numbers.begin(), numbers.end(), IsNumberOfABody)) {
-        for (const double number : numbers)
-            m_options.bodies.push_back(static_cast<int>(number));
-        if (numbers.size() == 2 && numbers[0] == numbers[1])
-            throw UsageError("--focus: two different bodies are wanted, not \"" + text + "\"");
-        return;
-    }
-    if (numbers.size() == 4 && numbers[2] > 0.0 && numbers[3] > 0.0) {
+    const std::string wanted = "a body, two bodies A,B or a rectangle X,Y,WIDTH,HEIGHT is wanted";
+    const std::vector<double> numbers = NumbersIn(text, ',', -1e9, 1e9, "--focus", "number; " + wanted);
+    const size_t count = numbers.size();
+    if (count == 4 && numbers[2] > 0.0 && numbers[3] > 0.0) {
         m_options.region = {numbers[0], numbers[1], numbers[0] + numbers[2], numbers[1] + numbers[3]};
         return;
     }
-    throw UsageError("--focus: a body, two bodies A,B or a rectangle X,Y,WIDTH,HEIGHT is wanted, not \"" +
-                     text + "\"");
+    for (const double number : numbers)
+        if (count > 2 || number < 0.0 || number != std::floor(number))
+            throw UsageError("--focus: " + wanted + ", not \"" + text + "\"");
+    if (count == 2 && numbers[0] == numbers[1])
+        throw UsageError("--focus: two different bodies are wanted, not \"" + text + "\"");
+    m_options.bodies.assign(numbers.begin(), numbers.end());
 }
 
 void PictureSeries::ReadRange() {

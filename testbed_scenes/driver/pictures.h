@@ -7,12 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "picture/picture.h"
+#include <CLI/CLI.hpp>
 
-namespace CLI {
-class App;
-class Option;
-} // namespace CLI
+#include "picture/picture.h"
 
 namespace testbed {
 

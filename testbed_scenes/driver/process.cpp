@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "process.h"
+#include "workers.h"
 
 #include <cerrno>
 #include <csignal>

@@ -5,16 +5,29 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-
-#include <CLI/CLI.hpp>
+#include <memory>
 
 #include "pictures.h"
-#include "progress.h"
-#include "table.h"
-#include "theory/course_frames.h"
+#include "terminal.h"
+#include "theory/course.h"
 
 namespace testbed {
 namespace {
+
+struct RenderCommand {
+    std::string scene;
+    std::vector<std::string>
+        polygons;        ///< or files of two polygons of one's own, A's and B's (one: both alike),
+    std::string motion;  ///< and of their motion,
+    int64_t steps = 300; ///< which takes so many steps
+    bool plugin = true;
+    bool quiet = false;
+    PictureRequest pictures;
+    WorkerOptions worker;
+};
+
+/// The plugin's structures that pictures show.
+const std::vector<std::string> kShownStructures = {"lazy-compass", "lazy-dudley", "free-direction"};
 
 constexpr char kExamples[] =
     "Examples:\n"
@@ -120,9 +133,36 @@ void CheckSource(const RenderCommand &command) {
         throw UsageError("--size and --seed are a scene's");
 }
 
+int Execute(const RenderCommand &command, const std::string &workersDirectory) {
+    CheckSource(command);
+    const bool pair = !command.polygons.empty();
+    PictureSeries series(command.pictures, pair ? PictureSource::Pair : PictureSource::Scene);
+    Progress progress(1, command.quiet);
+    if (pair) {
+        series.CheckLast("the motion", command.steps);
+        AddPair(command, &series, &progress);
+    } else {
+        const std::string &structure = command.worker.structure;
+        if (!structure.empty() &&
+            std::count(kShownStructures.begin(), kShownStructures.end(), structure) == 0)
+            throw UsageError("--structure: " + structure +
+                             " is for --polygon and --motion; of a scene it is lazy-compass, lazy-dudley or "
+                             "free-direction");
+        const Workers workers(workersDirectory);
+        AddScene(command, FindScene(workers.List(), command.scene), workers, &series, &progress);
+    }
+    series.Draw();
+    progress.Clear();
+    if (!command.quiet)
+        std::cout << series.Said() << '\n';
+    return kExitOk;
+}
+
 } // namespace
 
-CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
+void AddRender(CLI::App &app, Program &program) {
+    const auto kept = std::make_shared<RenderCommand>();
+    RenderCommand &command = *kept;
     CLI::App *render = app.add_subcommand(
         "render", "Draw a scene, or two polygons of one's own, after a step, with what proves them apart");
     render->add_option("scene", command.scene, "A name that `list` shows");
@@ -144,40 +184,15 @@ CLI::App *AddRender(CLI::App &app, RenderCommand &command) {
     AddPictureOptions(*render, command.pictures, nullptr);
     render->add_flag("--quiet", command.quiet, "No progress, and no word of what was written");
     render->footer(std::string(kLayersHelp) + "\n\n" + kExamples);
-    return render;
-}
-
-std::vector<std::string> RenderStructures() {
-    std::vector<std::string> names = {"lazy-compass", "lazy-dudley", "free-direction"};
+    AddPluginSwitch(*render, command.plugin);
+    std::vector<std::string> structures =
+        kShownStructures; // and of two polygons of one's own those of the paper
     for (size_t i = 0; i < bmr_kds_count(); ++i)
-        if (std::find(names.begin(), names.end(), bmr_kds_at(i)->name) == names.end())
-            names.emplace_back(bmr_kds_at(i)->name);
-    return names;
-}
-
-int Execute(const RenderCommand &command, const std::string &workersDirectory) {
-    CheckSource(command);
-    const bool pair = !command.polygons.empty();
-    PictureSeries series(command.pictures, pair ? PictureSource::Pair : PictureSource::Scene);
-    Progress progress(1, command.quiet);
-    if (pair) {
-        series.CheckLast("the motion", command.steps);
-        AddPair(command, &series, &progress);
-    } else {
-        const std::string &structure = command.worker.structure;
-        if (!structure.empty() && structure != "lazy-compass" && structure != "lazy-dudley" &&
-            structure != "free-direction")
-            throw UsageError("--structure: " + structure +
-                             " is for --polygon and --motion; of a scene it is lazy-compass, lazy-dudley or "
-                             "free-direction");
-        const Workers workers(workersDirectory);
-        AddScene(command, FindScene(workers.List(), command.scene), workers, &series, &progress);
-    }
-    series.Draw();
-    progress.Clear();
-    if (!command.quiet)
-        std::cout << series.Said() << '\n';
-    return kExitOk;
+        if (std::find(structures.begin(), structures.end(), bmr_kds_at(i)->name) == structures.end())
+            structures.emplace_back(bmr_kds_at(i)->name);
+    AddStructureOption(*render, command.worker, structures);
+    AddSceneOptions(*render, command.worker);
+    render->callback([kept, &program] { program.status = Execute(*kept, program.directory); });
 }
 
 } // namespace testbed

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "table.h"
+#include "terminal.h"
 
 namespace testbed {
 namespace {
@@ -300,7 +300,7 @@ void AddFigures(std::vector<Table::Cell> &row, const SceneResult &result,
 
 Table TableOf(const std::vector<SceneResult> &results, const SceneTable &layout) {
     const std::vector<SceneColumn> &columns = layout.columns;
-    Table table;
+    Table table = {};
     table.AddColumn("", "scene");
     for (const SceneColumn &column : columns)
         table.AddColumn(column.group, column.name);
@@ -328,7 +328,7 @@ void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, c
     auto cell = [](Verdict verdict) {
         return Table::Cell{NameOf(verdict), verdict == Verdict::Identical ? Style::Good : Style::Bad};
     };
-    Table table;
+    Table table = {};
     table.AddColumn("", "scene");
     table.AddColumn("", "steps");
     for (const Side side : sides)

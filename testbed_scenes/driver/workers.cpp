@@ -4,15 +4,20 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "process.h"
-
 namespace testbed {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr char kStepPrefix[] = "step ";
 constexpr char kSummaryPrefix[] = "summary ";
 /// As much of an unexpected line as helps to recognise it.
 constexpr size_t kQuotedLength = 100;
+
+const char *ValueOf(const char *variable) {
+    const char *value = std::getenv(variable);
+    return value != nullptr ? value : "";
+}
 
 bool StartsWith(const std::string &text, const std::string &prefix) {
     return text.compare(0, prefix.size(), prefix) == 0;
@@ -92,34 +97,9 @@ std::optional<double> NumberAt(const nlohmann::json &json, const std::string &po
     return json.at(path).get<double>();
 }
 
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr char kCountLibrary[] = "libboomerang-count.so";
-constexpr char kPlugin[] = "libboomerang_box2d.so";
-
-const char *ValueOf(const char *variable) {
-    const char *value = std::getenv(variable);
-    return value != nullptr ? value : "";
-}
-
-} // namespace
-
 const char *NameOf(Side side) {
-    switch (side) {
-    case Side::Stock:
-        return "stock";
-    case Side::Plugin:
-        return "linked";
-    case Side::Preloaded:
-        return "preloaded";
-    case Side::Accelerated:
-        return "accelerated";
-    case Side::Off:
-        break;
-    }
-    return "off";
+    static constexpr const char *names[] = {"stock", "linked", "preloaded", "accelerated", "off"};
+    return names[static_cast<size_t>(side)];
 }
 
 Side StockFor(const SceneInfo &scene) {
@@ -135,8 +115,8 @@ Workers::Workers(const fs::path &directory) {
                           "see --workers)");
     // Absolute, for a library to preload must be found from wherever the worker looks.
     m_directory = fs::absolute(m_directory).lexically_normal();
-    m_countLibrary = FindLibrary(kCountLibrary);
-    m_plugin = FindLibrary(kPlugin);
+    m_countLibrary = FindLibrary("libboomerang-count.so");
+    m_plugin = FindLibrary("libboomerang_box2d.so");
 }
 
 fs::path Workers::FindLibrary(const char *name) const {

@@ -2,21 +2,79 @@
 #ifndef BOOMERANG_TESTBED_WORKERS_H
 #define BOOMERANG_TESTBED_WORKERS_H
 
+#include <array>
+#include <chrono>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
-
-#include "process.h"
+#include <sys/types.h>
 
 /// @file
 /// The worker programs: how they are started, and how what they print is read.
 
 namespace testbed {
+
+/// A worker that did not do its job: not started, crashed, left with an error, or printed nonsense.
+class WorkerError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A child process whose two output streams are read line by line while it runs.
+class Process {
+public:
+    using LineHandler = std::function<void(const std::string &line)>;
+
+    /// Starts arguments[0] (a path: PATH is not searched) with this process's environment and the given
+    /// additions ("NAME=value", replacing what is there). Throws WorkerError if it cannot be started.
+    Process(std::vector<std::string> arguments, const std::vector<std::string> &environment,
+            LineHandler onLine);
+    /// Kills a process that still runs, and waits for it.
+    ~Process();
+    Process(const Process &) = delete;
+    Process &operator=(const Process &) = delete;
+
+    /// Only after RunAll: the exit status was 0.
+    bool Succeeded() const;
+    /// "boomerang-scene needles --mode hash: killed by signal 11 (Segmentation fault)", with the last lines
+    /// it wrote to stderr.
+    std::string Describe() const;
+    /// The command line, for messages.
+    std::string CommandLine() const;
+
+private:
+    friend void RunAll(const std::vector<Process *> &processes, const std::function<void()> &onTick,
+                       std::optional<std::chrono::seconds> limit);
+    bool ReadOutput();
+    bool ReadErrors();
+    void Wait();
+
+    std::vector<std::string> m_arguments;
+    LineHandler m_onLine;
+    pid_t m_pid = -1;
+    int m_outputFd = -1;
+    int m_errorFd = -1;
+    std::string m_outputRest;
+    std::string m_errorRest;
+    std::deque<std::string> m_errorTail;
+    int m_status = 0;
+    bool m_reaped = false;
+};
+
+/// Reads from all processes at once until each has closed its streams, then waits for them. onTick, if any,
+/// is called a few times a second. What a line handler throws ends the reading and is passed on; the
+/// processes' destructors then end what still runs. With a time limit, whoever is not done by then is a
+/// failure.
+void RunAll(const std::vector<Process *> &processes, const std::function<void()> &onTick = nullptr,
+            std::optional<std::chrono::seconds> limit = std::nullopt);
 
 /// A scene as a worker's --list-json describes it.
 struct SceneInfo {
@@ -120,6 +178,18 @@ private:
     std::filesystem::path m_directory;
     std::filesystem::path m_countLibrary, m_plugin;
 };
+
+/// What Box2D did while it led two bodies along a course: steps; stock's calls of b2CollidePolygons,
+/// b2TimeOfImpact and b2Distance (those that b2TimeOfImpact makes among them); the same with the plugin; and
+/// the events of the plugin's structure and of contacts: pushes, stabs, rolls, contacts, leaves.
+using Box2DCalls = std::array<double, 8>;
+
+class Course;
+
+/// Runs a course in Box2D: the polygons as bodies of fixtures of at most 8 vertices, one step for each tenth
+/// of a radian or unit of length. The bodies are made large enough that Box2D's skins do not touch. Throws
+/// WorkerError if a worker fails.
+Box2DCalls RunInBox2D(const Course &course, const Workers &workers);
 
 } // namespace testbed
 

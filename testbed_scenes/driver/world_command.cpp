@@ -1,51 +1,161 @@
 // SPDX-License-Identifier: MIT
-#include "commands.h"
-
+//
+// `boomerang-testbed world`: runs a kinetic world of many polygons and tells what it cost.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
+#include <numeric>
 #include <optional>
-#include <sstream>
 
 #include <unistd.h>
 
-#include "progress.h"
-#include "table.h"
+#include "boomerang/families.h"
+#include "command_line/nearest.h"
+#include "command_line/usage.h"
+#include "commands.h"
+#include "pictures.h"
+#include "terminal.h"
 #include "worlds/world.h"
 
 namespace testbed {
 namespace {
 
-std::vector<size_t> NumbersIn(const std::string &text) {
-    std::vector<size_t> numbers;
-    std::istringstream words(text);
-    for (std::string word; std::getline(words, word, ',');) {
-        char *end = nullptr;
-        const long long number = std::strtoll(word.c_str(), &end, 10);
-        if (word.empty() || *end != '\0' || number < 2 || number > 10000000)
-            throw UsageError("--growth: \"" + word + "\" is no number of bodies from 2 to 10000000");
-        numbers.push_back(static_cast<size_t>(number));
-    }
-    if (numbers.empty())
-        throw UsageError("--growth: N1,N2,.. is wanted");
-    return numbers;
+struct WorldCommand {
+    std::string scene = "gas";
+    // What is not told is the scene's own.
+    std::optional<size_t> bodies;
+    std::optional<std::string> shape, vertices, boundary, answer, zeno, structure;
+    std::optional<double> sizes, density, speed, seconds, zenoSpeed;
+    uint64_t seed = 1;
+    bool allPairs = false, check = false, audit = false, quiet = false, list = false;
+    std::string growth;      ///< N1,N2,..
+    PictureRequest pictures; ///< without an output: none
+    double rate = 30.0;      ///< steps for each unit of time
+};
+
+// --- what may be chosen, and what makes no sense ---
+
+constexpr char kNotes[] =
+    "Lengths are in radii of the smallest body's disk. Polygons have the density 1, "
+    "and their origins at their "
+    "centres of mass.\nThe answer is elastic, stick, pass (through each other), or a "
+    "number: the restitution, "
+    "from 0 to 1.\n--zeno: what becomes of infinitely many contacts in finite time: an "
+    "error that says so, or slow "
+    "ones are answered elastically.\n--picture: the run after a step, or a series (a step "
+    "is 1 / --rate of a unit of time).\n\nExample:\n"
+    "  boomerang-testbed world gas --picture gas.png --frames 0:600:10 --all\n\n";
+
+/// A number of at least `least` (or above it) and at most `most`; CLI11's own range lets NaN pass.
+double Checked(const char *option, double value, double least, double most, bool above = false) {
+    if (value >= least && value <= most && !(above && value == least))
+        return value;
+    char text[160];
+    std::snprintf(text, sizeof text, "%s: a number %s %g to %g is wanted, not %g", option,
+                  above ? "above" : "from", least, most, value);
+    throw UsageError(text);
 }
+
+/// "12" or "8:64".
+void ReadVertices(const std::string &text, WorldChoice *choice) {
+    unsigned long fewest = 0, most = 0;
+    char rest = 0;
+    const int read = std::sscanf(text.c_str(), "%lu:%lu%c", &fewest, &most, &rest);
+    if (read == 1 && text.find(':') == std::string::npos)
+        most = fewest;
+    else if (read != 2)
+        fewest = 0;
+    if (fewest < 3 || most < fewest || most > 65535 || text[0] == '-')
+        throw UsageError("--vertices: N or FEWEST:MOST is wanted, from 3 to 65535, not \"" + text + "\"");
+    choice->fewestVertices = fewest;
+    choice->mostVertices = most;
+}
+
+void ReadAnswer(const std::string &text, WorldChoice *choice) {
+    if (text == "elastic")
+        choice->response = {BMR_RESPONSE_IMPULSE, 1.0};
+    else if (text == "stick")
+        choice->response = {BMR_RESPONSE_STICK, 0.0};
+    else if (text == "pass")
+        choice->response = {BMR_RESPONSE_PASS, 0.0};
+    else {
+        char *end = nullptr;
+        const double restitution = std::strtod(text.c_str(), &end);
+        if (end == text.c_str() || *end != '\0')
+            throw UsageError("--answer: elastic, stick, pass or a restitution is wanted, not \"" + text +
+                             "\"" + command_line::NearestClause(text, {"elastic", "stick", "pass"}));
+        choice->response = {BMR_RESPONSE_IMPULSE, Checked("--answer", restitution, 0.0, 1.0)};
+    }
+}
+
+void ReadStructure(const std::string &name, WorldChoice *choice) {
+    const bmr_kds_info *info = nullptr;
+    if (bmr_kds_find(name.c_str(), &info) != BMR_OK) {
+        std::vector<std::string> names;
+        for (size_t i = 0; i < bmr_kds_count(); ++i)
+            if (bmr_kds_at(i)->domain == BMR_KDS_RIGID)
+                names.emplace_back(bmr_kds_at(i)->name);
+        FailUnknown("structure", name, names, "`events --list` shows all");
+    }
+    if (info->domain != BMR_KDS_RIGID)
+        throw UsageError("--structure: " + name + " is for points or for bodies that do not turn");
+    choice->structure = name;
+}
+
+WorldChoice ChoiceFor(const WorldCommand &command) {
+    const std::vector<WorldScene> &scenes = WorldScenes();
+    WorldChoice choice =
+        scenes[IndexOf("world", command.scene,
+                       NamesOf(scenes.size(), [&](size_t i) { return scenes[i].choice.scene; }))]
+            .choice;
+    constexpr double kMost = 1e6;
+    // A contact's margin is 1e-6 of the smallest radius: of larger ones it would be too little for proofs.
+    constexpr double kMostSizes = 1e3;
+    choice.bodies = command.bodies.value_or(choice.bodies);
+    choice.shape = command.shape.value_or(choice.shape);
+    if (command.vertices)
+        ReadVertices(*command.vertices, &choice);
+    choice.sizes = Checked("--sizes", command.sizes.value_or(choice.sizes), 1.0, kMostSizes);
+    choice.density = Checked("--density", command.density.value_or(choice.density), 0.0, 1.0, true);
+    choice.speed = Checked("--speed", command.speed.value_or(choice.speed), 0.0, kMost);
+    choice.seconds = Checked("--seconds", command.seconds.value_or(choice.seconds), 0.0, kMost, true);
+    if (command.boundary)
+        choice.boundary = *command.boundary == "open"    ? BMR_OPEN
+                          : *command.boundary == "walls" ? BMR_WALLED
+                                                         : BMR_PERIODIC;
+    if (command.answer)
+        ReadAnswer(*command.answer, &choice);
+    if (command.zeno)
+        choice.zeno = *command.zeno == "error" ? BMR_ZENO_ERROR : BMR_ZENO_ELASTIC;
+    choice.zenoSpeed =
+        Checked("--zeno-speed", command.zenoSpeed.value_or(choice.zenoSpeed), 0.0, kMost, true);
+    if (command.zenoSpeed && choice.zeno == BMR_ZENO_ERROR)
+        throw UsageError("--zeno-speed: there is none without --zeno elastic");
+    if (command.structure)
+        ReadStructure(*command.structure, &choice);
+    choice.seed = command.seed;
+    choice.allPairs = command.allPairs;
+    return choice;
+}
+
+// --- what is printed ---
 
 void Print(const std::vector<WorldFigures> &runs, bool colour) {
     const WorldFigures &first = runs.front();
     std::cout << first.choice.scene << " at a density of " << first.choice.density << ", "
               << NameOf(first.choice.boundary) << ", " << first.choice.structure << ", "
               << first.choice.seconds << " units of time; in brackets: over the first row\n\n";
-    Table table;
-    table.AddColumn("", "bodies");
+    Table table = {{"", "bodies"}};
+    const char *const rates = "events for each body and unit of time";
     for (int kind = 0; kind < BMR_WORLD_EVENT_KIND_COUNT; ++kind)
-        table.AddColumn("events for each body and unit of time",
-                        bmr_world_event_name(static_cast<bmr_world_event_kind>(kind)));
-    table.AddColumn("events for each body and unit of time", "all");
-    table.AddColumn("a body", "pairs");
-    table.AddColumn("a body", "bytes");
-    table.AddColumn("clock", "us an event");
-    table.AddColumn("clock", "us a body and unit");
+        table.AddColumn(rates, bmr_world_event_name(static_cast<bmr_world_event_kind>(kind)));
+    table.AddColumn(rates, "all");
+    for (const char *name : {"pairs", "bytes"})
+        table.AddColumn("a body", name);
+    for (const char *name : {"us an event", "us a body and unit"})
+        table.AddColumn("clock", name);
     const auto against = [](double value, double base, int decimals) {
         return Fixed(value, decimals) + (base > 0.0 ? " (" + Fixed(value / base, 2) + ")" : "");
     };
@@ -70,42 +180,8 @@ void Print(const std::vector<WorldFigures> &runs, bool colour) {
     table.Print(std::cout, colour);
 }
 
-} // namespace
-
-std::vector<WorldFigures> MeasureGrowth(const WorldCommand &command) {
-    WorldChoice choice = ChoiceFor(command);
-    const std::vector<size_t> numbers = NumbersIn(command.growth);
-    double all = 0.0, done = 0.0;
-    for (const size_t number : numbers)
-        all += static_cast<double>(number);
-    constexpr int kUnits = 1000;
-    Progress progress(kUnits, command.quiet);
-    std::vector<WorldFigures> runs;
-    for (const size_t number : numbers) {
-        choice.bodies = number;
-        const WorldSetup setup = MakeWorld(choice);
-        MeasureOptions options;
-        options.check = command.check;
-        options.audit = command.audit;
-        options.onSlice = [&](const WorldRun & /*run*/, double part) {
-            progress.FinishUpTo(static_cast<int>(kUnits * (done + part * static_cast<double>(number)) / all));
-            progress.Show(std::to_string(number) + " bodies", 0.0);
-        };
-        runs.push_back(Measure(setup, options));
-        done += static_cast<double>(number);
-    }
-    progress.Clear();
-    if (!command.quiet)
-        Print(runs, WantsColour(STDOUT_FILENO));
-    return runs;
-}
-
-namespace {
-
 /// A run of more takes hours and gigabytes.
 constexpr double kMostSteps = 20000.0;
-/// Of the progress line.
-constexpr int kProgressUnits = 1000;
 
 std::string Scientific(double number) {
     char text[32];
@@ -118,12 +194,11 @@ int StepsOf(const WorldCommand &command, const WorldChoice &choice) {
     return std::max(1, static_cast<int>(std::lround(choice.seconds * command.rate)));
 }
 
-void List() {
+void ListWorlds() {
     for (const WorldScene &scene : WorldScenes()) {
-        std::string line = "  " + scene.choice.scene;
-        line.resize(14, ' ');
-        std::cout << line << scene.description << " (" << scene.choice.bodies << " bodies, "
-                  << NameOf(scene.choice.boundary) << ", " << NameOf(scene.choice.response) << ")\n";
+        std::cout << Padded("  " + scene.choice.scene, 14) << scene.description << " (" << scene.choice.bodies
+                  << " bodies, " << NameOf(scene.choice.boundary) << ", " << NameOf(scene.choice.response)
+                  << ")\n";
     }
 }
 
@@ -141,10 +216,7 @@ void PrintHead(const WorldFigures &figures) {
 }
 
 void PrintEvents(const WorldFigures &figures, bool colour) {
-    Table table;
-    table.AddColumn("", "events");
-    table.AddColumn("", "in all");
-    table.AddColumn("for each body", "and unit of time");
+    Table table = {{"", "events"}, {"", "in all"}, {"for each body", "and unit of time"}};
     const auto add = [&](const std::string &name, uint64_t events, Style style) {
         table.AddRow(
             {{name, style}, {std::to_string(events), style}, {Fixed(figures.Rate(events), 3), style}});
@@ -204,11 +276,41 @@ void Print(const WorldFigures &figures, bool colour) {
         std::cout << "audits:     " << figures.audits << " passed\n";
 }
 
-WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
-    Progress progress(kProgressUnits, command.quiet);
+MeasureOptions OptionsFor(const WorldCommand &command) {
     MeasureOptions options;
     options.check = command.check;
     options.audit = command.audit;
+    return options;
+}
+
+/// The same density with each of these numbers of bodies, as a table: what grows, and what does not.
+std::vector<WorldFigures> MeasureGrowth(const WorldCommand &command) {
+    WorldChoice choice = ChoiceFor(command);
+    const std::vector<double> numbers =
+        NumbersIn(command.growth, ',', 2.0, 1e7, "--growth", "number of bodies from 2 to 10000000", true);
+    const double all = std::accumulate(numbers.begin(), numbers.end(), 0.0);
+    double done = 0.0;
+    Progress progress(1, command.quiet);
+    std::vector<WorldFigures> runs;
+    for (const double number : numbers) {
+        choice.bodies = static_cast<size_t>(number);
+        const WorldSetup setup = MakeWorld(choice);
+        MeasureOptions options = OptionsFor(command);
+        options.onSlice = [&](const WorldRun & /*run*/, double part) {
+            progress.Show(std::to_string(choice.bodies) + " bodies", (done + part * number) / all);
+        };
+        runs.push_back(Measure(setup, options));
+        done += number;
+    }
+    progress.Clear();
+    if (!command.quiet)
+        Print(runs, WantsColour(STDOUT_FILENO));
+    return runs;
+}
+
+WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
+    Progress progress(1, command.quiet);
+    MeasureOptions options = OptionsFor(command);
     std::optional<PictureSeries> series;
     WorldFrames frames(setup);
     if (!command.pictures.output.empty()) {
@@ -220,8 +322,7 @@ WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
     options.onSlice = [&](const WorldRun &run, double part) {
         if (series)
             series->Add(frames.Take(run));
-        progress.FinishUpTo(static_cast<int>(kProgressUnits * part));
-        progress.Show(setup.choice.scene + ", time " + General(run.Time()), 0.0);
+        progress.Show(setup.choice.scene + ", time " + General(run.Time()), part);
     };
     const WorldFigures figures = Measure(setup, options);
     if (series) {
@@ -251,11 +352,9 @@ int Perform(const WorldCommand &command) {
     return overlap ? kExitDifferent : kExitOk;
 }
 
-} // namespace
-
 int Execute(const WorldCommand &command) {
     if (command.list) {
-        List();
+        ListWorlds();
         return kExitOk;
     }
     const WorldChoice choice = ChoiceFor(command);
@@ -272,6 +371,68 @@ int Execute(const WorldCommand &command) {
     } catch (const WorldChoiceError &error) {
         throw UsageError(error.what());
     }
+}
+
+} // namespace
+
+void AddWorld(CLI::App &app, Program &program) {
+    const auto kept = std::make_shared<WorldCommand>();
+    WorldCommand &command = *kept;
+    CLI::App *world = app.add_subcommand(
+        "world", "Run a kinetic world of many polygons, event by event: what happened, and what it cost");
+    world->add_option("scene", command.scene, "A world that --list shows")->capture_default_str();
+    world
+        ->add_option("--bodies", command.bodies, "How many (default: the scene's own, as of all that follow)")
+        ->check(CLI::Range(2, 10000000));
+    std::vector<std::string> shapes =
+        NamesOf(BMR_OUTLINE_COUNT, [](size_t i) { return bmr_outline_name(static_cast<bmr_outline>(i)); });
+    shapes.insert(shapes.begin(), "mixed");
+    world->add_option("--shape", command.shape, "Outline of the polygons; mixed: all in turn")
+        ->check(CLI::IsMember(shapes));
+    world->add_option("--vertices", command.vertices, "N, or FEWEST:MOST, from which each body draws");
+    world->add_option("--sizes", command.sizes,
+                      "Radius of the largest over that of the smallest, from 1 to 1000 (beyond, a contact's "
+                      "margin, 1e-6 of the smallest, is too little for proofs about the largest)");
+    world->add_option("--density", command.density, "The polygons' area over the box's");
+    world->add_option(
+        "--speed", command.speed,
+        "On average, of the largest; smaller ones have the same energy (bullet: a hundredth of its own)");
+    world->add_option("--seconds", command.seconds, "Units of time to simulate");
+    world
+        ->add_option("--boundary", command.boundary,
+                     "walls, periodic (what leaves on one side comes in on the other) or open")
+        ->check(CLI::IsMember({"walls", "periodic", "open"}));
+    world->add_option("--answer", command.answer, "To contacts: elastic, stick, pass, or a restitution");
+    world->add_option("--zeno", command.zeno, "error or elastic")->check(CLI::IsMember({"error", "elastic"}));
+    world->add_option("--zeno-speed", command.zenoSpeed, "Of --zeno elastic: slower than this is slow");
+    world->add_option("--structure", command.structure, "Of near pairs; `events --list` shows all");
+    world->add_option("--seed", command.seed, "Of all that is drawn")
+        ->check(command_line::CheckSeed)
+        ->capture_default_str();
+    world->add_flag("--all-pairs", command.allPairs,
+                    "No cells: every two bodies are watched, for comparison");
+    world->add_flag("--check", command.check,
+                    "At the end, look for overlaps of any two bodies by brute force");
+    world->add_flag("--audit", command.audit, "Prove every certificate again, four times in the run");
+    CLI::Option *growth = world->add_option(
+        "--growth", command.growth,
+        "Instead of one run: these numbers of bodies N1,N2,.. at the same density, as a table");
+    growth->check(CLI::Validator(
+        [](const std::string &text) {
+            return text.empty() ? std::string("N1,N2,.. is wanted") : std::string();
+        },
+        "N1,N2,.."));
+    CLI::Option *picture = world->add_option("--picture", command.pictures.output,
+                                             "Draw the run into this file: .svg, .png or .pdf");
+    world->add_option("--rate", command.rate, "Steps of --picture in a unit of time")
+        ->needs(picture)
+        ->capture_default_str();
+    AddPictureOptions(*world, command.pictures, picture);
+    growth->excludes(picture);
+    world->add_flag("--quiet", command.quiet, "No tables");
+    world->add_flag("--list", command.list, "Show the scenes, and run nothing");
+    world->footer(std::string(kNotes) + kLayersHelp);
+    world->callback([kept, &program] { program.status = Execute(*kept); });
 }
 
 } // namespace testbed

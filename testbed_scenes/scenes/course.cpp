@@ -89,8 +89,10 @@ class Course final : public Scene {
 
 SceneInfo CourseScene(const std::string &file) {
     loaded = ReadCourse(file);
-    return SceneOfAFile("course", "two bodies led through given poses", loaded.steps, loaded.timeStep,
-                        CreateScene<Course>);
+    SceneInfo info = {"course",           "two bodies led through given poses", "course", 1, loaded.steps,
+                      CreateScene<Course>};
+    info.timeStep = loaded.timeStep;
+    return info;
 }
 
 } // namespace testbed

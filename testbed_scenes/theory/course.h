@@ -11,6 +11,7 @@
 #include "boomerang/analysis.h"
 #include "boomerang/kds.h"
 #include "boomerang/motion.h"
+#include "picture/frame.h"
 
 namespace testbed {
 
@@ -65,16 +66,8 @@ struct MotionFile {
     double from = 0.0, until = 1.0;
 };
 
-/// A motion file: one statement a line, # begins a comment. Angles are in radians.
-///
-///     time FROM UNTIL                        the times to follow (default 0 1)
-///     body A | body B                        whose motion the following lines tell; a body without any rests
-///     rest T X Y ANGLE                       from time T on it stands still
-///     screw T X Y ANGLE VX VY SPIN           from T on: a straight line, a constant spin
-///     algebraic T ANGLE x X0 X1.. y Y0 Y1.. [a A0 A1.. b B0 B1..]
-///                                            from T on, with u = t - T: position (sum Xk u^k, sum Yk u^k),
-///                                            turned by ANGLE and by 2 atan2(sum Bk u^k, sum Ak u^k)
-///     sample T X Y ANGLE                     screws from sample to sample; not to be mixed with the others
+/// A motion file: one statement a line, as `boomerang-testbed events --help` explains them. Samples and other
+/// pieces are not to be mixed.
 MotionFile ReadMotionFile(const std::string &path);
 
 /// What two bodies do: a family's motion, or one from a file.
@@ -128,6 +121,22 @@ Outcome Follow(const Course &course, const bmr_kds_info &structure, const bmr_kd
 
 /// Does the structure take this course? (A translating one does not take a rotation, a point's no polygon.)
 bool Takes(const bmr_kds_info &structure, const Course &course);
+
+// --- frames ---
+
+shown::Vec ToVec(bmr_vec2 v);
+std::vector<shown::Vec> ToVecs(const std::vector<bmr_vec2> &points);
+/// A body's only fixture, a polygon.
+shown::Fixture PolygonOf(int body, const std::vector<bmr_vec2> &vertices);
+/// A line that a structure keeps between two polygons at these poses, as a direction with its supports.
+shown::Proof LineOf(const bmr_kds_proof &line, const bmr_polygon *const polygons[2], const bmr_pose poses[2]);
+
+/// Takes one structure along a course, every event at its own time, and makes frames of it: of the course's
+/// beginning and of `steps` times more, evenly to its end. Body 0 is A, body 1 is B; the pair's proof has the
+/// envelopes of its level, where the structure has a hierarchy. Throws std::runtime_error if the simulation
+/// fails, and what onFrame throws.
+void VisitFrames(const Course &course, const bmr_kds_info &structure, int64_t steps,
+                 const std::function<void(const shown::Frame &)> &onFrame);
 
 /// The structure of a name. Throws std::runtime_error with the name and all names there are.
 const bmr_kds_info *StructureNamed(const char *name);

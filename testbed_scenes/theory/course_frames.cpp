@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "theory/course_frames.h"
+#include "theory/course.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,20 +9,43 @@
 #include "theory/figure.h"
 
 namespace testbed {
-namespace {
 
-using shown::Vec;
-
-Vec ToVec(bmr_vec2 v) {
+shown::Vec ToVec(bmr_vec2 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y)};
 }
 
-std::vector<Vec> ToVecs(const std::vector<bmr_vec2> &points) {
-    std::vector<Vec> list;
+std::vector<shown::Vec> ToVecs(const std::vector<bmr_vec2> &points) {
+    std::vector<shown::Vec> list;
     for (const bmr_vec2 &point : points)
         list.push_back(ToVec(point));
     return list;
 }
+
+shown::Fixture PolygonOf(int body, const std::vector<bmr_vec2> &vertices) {
+    shown::Fixture fixture;
+    fixture.body = body;
+    fixture.shape = "polygon";
+    fixture.points = ToVecs(vertices);
+    return fixture;
+}
+
+shown::Proof LineOf(const bmr_kds_proof &line, const bmr_polygon *const polygons[2],
+                    const bmr_pose poses[2]) {
+    shown::Proof proof;
+    const auto own = static_cast<size_t>(line.owner), other = 1 - own;
+    const bmr_vec2 normal = line.line.normal, nearest = bmr_transform(&poses[other], line.nearest);
+    const bmr_vec2 seen = bmr_unrotate(&poses[own], bmr_sub(nearest, poses[own].position));
+    proof.kind = "direction";
+    proof.owner = line.owner;
+    proof.level = line.level;
+    proof.normal = ToVec(normal);
+    proof.supports[own] = ToVec(polygons[own]->vertices[bmr_polygon_support(polygons[own], normal)]);
+    proof.supports[other] = ToVec(line.nearest);
+    proof.slack = static_cast<float>(std::max(0.0, bmr_dot(normal, seen) - line.line.offset));
+    return proof;
+}
+
+namespace {
 
 class CourseFrames {
 public:
@@ -75,11 +98,7 @@ private:
         const bmr_vec2 along = bmr_rotate(&pose, bmr_vec2_make(1.0, 0.0));
         body.pose = {ToVec(pose.position), static_cast<float>(along.x), static_cast<float>(along.y)};
         m_frame.bodies.push_back(body);
-        shown::Fixture fixture;
-        fixture.body = number;
-        fixture.shape = "polygon";
-        fixture.points = ToVecs(m_course.BodyOf(number).Vertices());
-        m_frame.fixtures.push_back(fixture);
+        m_frame.fixtures.push_back(PolygonOf(number, m_course.BodyOf(number).Vertices()));
     }
 
     void AddPair() {
@@ -105,19 +124,9 @@ private:
     }
 
     shown::Proof Shown(const bmr_kds_proof &line) {
-        shown::Proof proof;
-        const auto own = static_cast<size_t>(line.owner), other = 1 - own;
-        const Body &owner = m_course.BodyOf(line.owner);
-        proof.kind = "direction";
-        proof.owner = line.owner;
+        const bmr_polygon *const polygons[] = {m_course.BodyOf(0).Polygon(), m_course.BodyOf(1).Polygon()};
+        shown::Proof proof = LineOf(line, polygons, m_poses);
         proof.level = std::max(line.level, 0);
-        proof.normal = ToVec(line.line.normal);
-        proof.supports[own] =
-            ToVec(owner.Polygon()->vertices[bmr_polygon_support(owner.Polygon(), line.line.normal)]);
-        proof.supports[other] = ToVec(line.nearest);
-        const bmr_vec2 nearest = bmr_transform(&m_poses[other], line.nearest);
-        const bmr_vec2 seen = bmr_unrotate(&m_poses[own], bmr_sub(nearest, m_poses[own].position));
-        proof.slack = static_cast<float>(std::max(0.0, bmr_dot(line.line.normal, seen) - line.line.offset));
         if (m_structure.hierarchy >= 0)
             AddEnvelopes(line, &proof);
         return proof;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "theory/experiment.h"
+#include "theory/event_tables.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
 namespace testbed {
 namespace {

@@ -69,6 +69,17 @@ bmr_pose PoseAt(double x, double y, double angle) {
     return {bmr_vec2_make(x, y), std::cos(angle), std::sin(angle)};
 }
 
+void DrawKey(Canvas &canvas, bmr_vec2 at, const Pen &pen, const std::string &text, double size) {
+    canvas.Segment(at, bmr_vec2_make(at.x + 22.0, at.y), pen);
+    canvas.Text(bmr_vec2_make(at.x + 28.0, at.y - 4.0), 0.0, 0.0, text, size);
+}
+
+void DrawLine(Canvas &canvas, const bmr_kds_proof &proof, const bmr_pose &pose, const Pen &pen) {
+    const bmr_pose owner = proof.owner == 0 ? bmr_pose_identity() : pose;
+    const bmr_vec2 normal = bmr_rotate(&owner, proof.line.normal);
+    canvas.Line(normal, proof.line.offset + bmr_dot(normal, owner.position), pen);
+}
+
 std::vector<bmr_vec2> EllipsePoints(size_t count, double a, double b, double turn) {
     std::vector<bmr_vec2> points;
     for (size_t i = 0; i < count; ++i) {

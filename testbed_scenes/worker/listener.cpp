@@ -43,19 +43,6 @@ nlohmann::json ListenedScene::ToJson() const {
             {"read", m_read}};
 }
 
-void RecordedWorld::AfterStep() {
-    const bmr::ContactEvents events = m_recorder.Take();
-    m_begins += events.begins.count + events.sensorBegins.count;
-    m_ends += events.ends.count + events.sensorEnds.count;
-    m_hits += events.hits.count;
-    for (const bmr::ContactHitEvent &hit : events.hits)
-        m_read += SumOf(hit.point) + SumOf(hit.normal) + static_cast<double>(hit.impulse);
-}
-
-nlohmann::json RecordedWorld::ToJson() const {
-    return {{"begins", m_begins}, {"ends", m_ends}, {"hits", m_hits}, {"read", m_read}};
-}
-
 void ListenedScene::BeforeStep(Stage &stage, int step) {
     m_step = step;
     m_scene.BeforeStep(stage, step);

@@ -2,7 +2,6 @@
 #ifndef BOOMERANG_TESTBED_LISTENER_H
 #define BOOMERANG_TESTBED_LISTENER_H
 
-#include <boomerang/contact_recorder.h>
 #include <nlohmann/json.hpp>
 
 #include "scene.h"
@@ -14,8 +13,7 @@ enum class Listening {
     None,   ///< there is none, except in scenes that listen themselves
     Counts, ///< counts its calls
     Reads,  ///< reads manifolds, impulses and bodies, too
-    Acts,   ///< disables contacts, changes friction and pushes bodies, too
-    Records ///< is a bmr::ContactRecorder, in the place of what the scene listens with
+    Acts    ///< disables contacts, changes friction and pushes bodies, too
 };
 
 /// A scene with a listener: all that the scene does, and what the listener does ahead of it.
@@ -44,24 +42,6 @@ private:
     const Listening m_listening;
     int m_step = -1;
     long m_begins = 0, m_ends = 0, m_preSolves = 0, m_postSolves = 0;
-    double m_read = 0.0;
-};
-
-/// A recorder in a world, and what it recorded.
-class RecordedWorld {
-public:
-    /// Of no more than this it makes a hit; a body at rest of some kilograms presses with less.
-    static constexpr float kHit = 1.0f;
-
-    /// To be destroyed after the world.
-    RecordedWorld() { m_recorder.SetHitThreshold(kHit); }
-    void ListenTo(b2World &world) { world.SetContactListener(&m_recorder); }
-    void AfterStep();
-    nlohmann::json ToJson() const;
-
-private:
-    bmr::ContactRecorder m_recorder;
-    long m_begins = 0, m_ends = 0, m_hits = 0;
     double m_read = 0.0;
 };
 

@@ -28,18 +28,11 @@ struct Options {
     std::optional<int> dump, perturb;
     std::optional<FrameRange> frames;
     Listening listening = Listening::None;
-    PluginOptions plugin;
+    std::string structure; ///< for the plugin alone; empty: as games have it
 };
-
-/// The worker's exit codes.
-enum ExitCode : int { exitOk = 0, exitUsage = 2, exitInternal = 3 };
-
-/// Fills `options`, or says why not (or prints the help) and returns the exit code.
-std::optional<int> ParseOptions(int argc, char **argv, Options &options);
 
 const char *NameOf(Mode mode);
 
-struct SceneInfo;
 /// The scene's own choice, where the options do not say otherwise.
 PolygonChoice PolygonsOf(const SceneInfo &scene, const Options &options);
 

@@ -17,17 +17,7 @@
 class b2Body;
 class b2Contact;
 
-namespace CLI {
-class App;
-}
-
 namespace testbed {
-
-struct PluginOptions {
-    std::string structure; ///< holds every pair; empty: as games have it
-};
-
-void AddPluginOptions(CLI::App &app, PluginOptions &options);
 
 /// Is told what the plugin does while a world steps.
 class PluginObserver {
@@ -39,9 +29,9 @@ public:
     virtual void OnAnswer(const b2Contact &contact, bool handedOver) = 0;
 };
 
-/// Before the first world. Throws if the plugin will not install. The
-/// observer (nullptr: none) must live as long as the process steps.
-void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *observer);
+/// Before the first world. Throws if the plugin will not install. `structure` holds every pair; empty: as
+/// games have it. The observer (nullptr: none) must live as long as the process steps.
+void InstallPlugin(const std::string &structure, bool count, PluginObserver *observer);
 
 /// "stock", "plugin", or "off": linked with the plugin, which is told to be off.
 const char *PluginName();

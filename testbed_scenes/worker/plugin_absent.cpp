@@ -3,8 +3,7 @@
 
 namespace testbed {
 
-void AddPluginOptions(CLI::App &, PluginOptions &) {}
-void InstallPlugin(const PluginOptions &, bool, PluginObserver *) {}
+void InstallPlugin(const std::string &, bool, PluginObserver *) {}
 const char *PluginName() {
     return "stock";
 }

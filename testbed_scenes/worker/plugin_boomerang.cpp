@@ -5,7 +5,6 @@
 #include <cstring>
 #include <stdexcept>
 
-#include <CLI/CLI.hpp>
 #include <boomerang/box2d.h>
 
 #include "debug/inspect.h"
@@ -37,19 +36,10 @@ bool IsToldToBeOff() {
 
 } // namespace
 
-void AddPluginOptions(CLI::App &app, PluginOptions &options) {
-    app.add_option("--structure", options.structure,
-                   "The structure of the paper that holds each pair of bodies (bmr::Options::pairsBy)")
-        ->envname("BOOMERANG_PAIRS_BY")
-        ->option_text("lazy-compass|lazy-dudley|free-direction|two-lines")
-        ->check(
-            CLI::IsMember({"lazy-compass", "lazy-dudley", "free-direction", "two-lines"}).description(""));
-}
-
-void InstallPlugin(const PluginOptions &options, bool count, PluginObserver *told) {
+void InstallPlugin(const std::string &structure, bool count, PluginObserver *told) {
     bmr::Options install;
-    for (int i = 0; i < BMR_STRUCTURE_COUNT && !options.structure.empty(); ++i)
-        if (options.structure == bmr_structure_name(static_cast<bmr_structure>(i)))
+    for (int i = 0; i < BMR_STRUCTURE_COUNT && !structure.empty(); ++i)
+        if (structure == bmr_structure_name(static_cast<bmr_structure>(i)))
             install.pairsBy = static_cast<bmr_structure>(i);
     install.statistics = count;
     observer = told;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "worker/options.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <chrono>
 #include <cinttypes>
@@ -8,13 +9,121 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include <dlfcn.h>
+
+#include "count/count.h"
 #include "state/snapshot.h"
-#include "worker/frame_maker.h"
-#include "worker/listener.h"
-#include "worker/summary.h"
 
 namespace testbed {
 namespace {
+
+bool IsPolygonContact(const b2Contact &contact) {
+    return contact.GetFixtureA()->GetType() == b2Shape::e_polygon &&
+           contact.GetFixtureB()->GetType() == b2Shape::e_polygon;
+}
+
+/// Calls since the process began; nothing where the counting library is not preloaded.
+std::optional<boomerang_counts> ReadCounts() {
+    const auto read =
+        reinterpret_cast<decltype(&boomerang_count_read)>(dlsym(RTLD_DEFAULT, "boomerang_count_read"));
+    if (read == nullptr)
+        return std::nullopt;
+    boomerang_counts counts = {};
+    read(&counts);
+    return counts;
+}
+
+/// Calls of the whole run (`before`: those made before it), null where they are not counted.
+void AddCalls(nlohmann::json &json, const std::optional<boomerang_counts> &before) {
+    const std::optional<boomerang_counts> counts = ReadCounts();
+    const auto set = [&](const char *name, uint64_t boomerang_counts::*calls) {
+        json[name] =
+            counts && before ? nlohmann::json((*counts).*calls - (*before).*calls) : nlohmann::json();
+    };
+    set("polygon_tests", &boomerang_counts::polygon_tests);
+    set("polygon_tests_apart", &boomerang_counts::polygon_tests_apart);
+    set("toi_calls", &boomerang_counts::toi_calls);
+    set("distance_calls", &boomerang_counts::distance_calls);
+    set("overlap_calls", &boomerang_counts::overlap_calls);
+}
+
+/// Gathers, step by step, what the last line of a run says.
+class Summary {
+public:
+    Summary(const SceneInfo &info, const Options &options) : m_info(info), m_options(options) {}
+
+    void AddStep(const b2World &world, long nanoseconds);
+    void AddHashes(const StateHashes &hashes);
+
+    /// In every mode: scene, program, mode, size, seed, steps (done), bodies, contacts and polygon_contacts
+    /// (means per step; in time mode contacts only). Hash: hash. Time: step_ns_total, collide_ms_total.
+    /// Count: those of AddCalls; plugin (null for stock). Scenes with polygons to choose: vertices, kind.
+    nlohmann::json ToJson(const b2World &world) const;
+
+private:
+    const SceneInfo &m_info;
+    const Options &m_options;
+    long m_steps = 0;
+    long m_contacts = 0, m_polygonContacts = 0;
+    HashSink m_hash;
+    long m_nanoseconds = 0;
+    double m_collide = 0.0; ///< of Box2D's profile, in milliseconds
+    const std::optional<boomerang_counts> m_callsBefore =
+        ReadCounts(); ///< the plugin makes some when it is installed
+};
+
+void Summary::AddStep(const b2World &world, long nanoseconds) {
+    ++m_steps;
+    m_contacts += world.GetContactCount();
+    m_nanoseconds += nanoseconds;
+    m_collide += static_cast<double>(world.GetProfile().collide);
+    // Walking the contacts would warm the caches of the next step, so not while it is timed.
+    if (m_options.mode == Mode::Time)
+        return;
+    for (const b2Contact *contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext())
+        m_polygonContacts += IsPolygonContact(*contact) ? 1 : 0;
+}
+
+void Summary::AddHashes(const StateHashes &hashes) {
+    m_hash.Field("bodies", hashes.bodies);
+    m_hash.Field("contacts", hashes.contacts);
+    m_hash.Field("events", hashes.events);
+}
+
+nlohmann::json Summary::ToJson(const b2World &world) const {
+    const double steps = static_cast<double>(std::max(m_steps, 1L));
+    nlohmann::json json = {{"scene", m_info.name},
+                           {"program", PluginName()},
+                           {"mode", NameOf(m_options.mode)},
+                           {"size", m_options.size.value_or(m_info.size)},
+                           {"seed", m_options.seed.value_or(m_info.seed)},
+                           {"steps", m_steps},
+                           {"bodies", world.GetBodyCount()},
+                           {"contacts", static_cast<double>(m_contacts) / steps}};
+    if (const PolygonChoice polygons = PolygonsOf(m_info, m_options); polygons.vertices > 0) {
+        json["vertices"] = polygons.vertices;
+        json["kind"] = NameOf(polygons.bodies);
+    }
+    if (m_options.mode != Mode::Time)
+        json["polygon_contacts"] = static_cast<double>(m_polygonContacts) / steps;
+    switch (m_options.mode) {
+    case Mode::Hash: {
+        char text[17];
+        std::snprintf(text, sizeof text, "%016" PRIx64, m_hash.Value());
+        json["hash"] = text;
+        break;
+    }
+    case Mode::Count:
+        AddCalls(json, m_callsBefore);
+        json["plugin"] = PluginStatistics();
+        break;
+    case Mode::Time:
+        json["step_ns_total"] = m_nanoseconds;
+        json["collide_ms_total"] = m_collide;
+        break;
+    }
+    return json;
+}
 
 // Often enough that a reader who stops at the first difference need not wait, rare enough to cost nothing.
 constexpr int stepsPerFlush = 16;
@@ -66,14 +175,12 @@ void RunScene(const SceneInfo &info, const Options &options) {
     std::optional<FrameMaker> frames;
     if (options.frames)
         frames.emplace(*options.frames, info.name);
-    InstallPlugin(options.plugin, options.mode == Mode::Count, frames ? &*frames : nullptr);
+    InstallPlugin(options.structure, options.mode == Mode::Count, frames ? &*frames : nullptr);
     EventRecorder recorder;
     EventObserver *const observer = options.mode == Mode::Hash ? &recorder : nullptr;
     const std::unique_ptr<Scene> played = info.create();
     ListenedScene listened(*played, options.listening);
-    const bool records = options.listening == Listening::Records;
-    Scene &scene = options.listening == Listening::None || records ? *played : listened;
-    RecordedWorld recorded;
+    Scene &scene = options.listening == Listening::None ? *played : listened;
     const unsigned long seed = options.seed.value_or(info.seed);
     Stage stage(scene, seed, observer);
     stage.SetPolygons(PolygonsOf(info, options));
@@ -85,15 +192,11 @@ void RunScene(const SceneInfo &info, const Options &options) {
     scene.Build(stage, options.size.value_or(info.size));
     if (seed != info.seed)
         Shake(stage);
-    if (records)
-        recorded.ListenTo(world);
     for (int step = 0; step < steps; ++step) {
         scene.BeforeStep(stage, step);
         if (frames)
             frames->BeginStep(step);
         const long nanoseconds = TimeStep(info, world);
-        if (records)
-            recorded.AfterStep();
         if (options.perturb == step)
             Perturb(world);
         summary.AddStep(world, nanoseconds);
@@ -118,7 +221,7 @@ void RunScene(const SceneInfo &info, const Options &options) {
     }
     nlohmann::json json = summary.ToJson(world);
     if (options.listening != Listening::None)
-        json["listener"] = records ? recorded.ToJson() : listened.ToJson();
+        json["listener"] = listened.ToJson();
     std::printf("summary %s\n", json.dump().c_str());
     if (std::fflush(stdout) != 0)
         throw std::runtime_error("the output could not be written");

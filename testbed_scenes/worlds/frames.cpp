@@ -7,20 +7,8 @@
 #include "boomerang/distance.h"
 
 namespace testbed {
-namespace {
 
 using shown::Vec;
-
-Vec ToVec(bmr_vec2 v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y)};
-}
-
-/// The vertex of a body's polygon that is farthest in a direction of its frame.
-Vec Farthest(const bmr_polygon *polygon, bmr_vec2 direction) {
-    return ToVec(polygon->vertices[bmr_polygon_support(polygon, direction)]);
-}
-
-} // namespace
 
 int WorldFrames::NumberOf(bmr_body body) const {
     return static_cast<int>(bmr_is_wall(body) ? m_setup.bodies.size() + (body - BMR_WALL(0)) : body);
@@ -95,12 +83,7 @@ void WorldFrames::AddBodies(const WorldRun &run) {
         if (low.x < high.x)
             m_frame.boxes.push_back({low.x, low.y, high.x, high.y});
         AddDisk(body.number, state.radius);
-        shown::Fixture fixture;
-        fixture.body = body.number;
-        fixture.shape = "polygon";
-        for (const bmr_vec2 &vertex : m_setup.bodies[i].polygon->Vertices())
-            fixture.points.push_back(ToVec(vertex));
-        m_frame.fixtures.push_back(fixture);
+        m_frame.fixtures.push_back(PolygonOf(body.number, m_setup.bodies[i].polygon->Vertices()));
     }
     AddWalls();
 }
@@ -124,25 +107,14 @@ shown::Proof WorldFrames::DisksProof(const bmr_world_pair &pair, const WorldRun 
 }
 
 shown::Proof WorldFrames::LineProof(const bmr_world_pair &pair, const WorldRun &run) const {
-    shown::Proof proof;
     bmr_kds_proof line;
     if (pair.kds == nullptr || !bmr_kds_get_proof(pair.kds, &line))
-        return proof;
-    const bmr_body_state a = run.StateOf(pair.a);
-    const bmr_pose b = OtherPose(pair, run);
+        return {};
     // The body born first is the structure's A, and the pair's.
-    const bmr_pose *own = line.owner == 0 ? &a.pose : &b, *other = line.owner == 0 ? &b : &a.pose;
-    const bmr_vec2 nearest = bmr_unrotate(own, bmr_sub(bmr_transform(other, line.nearest), own->position));
-    const auto side = static_cast<size_t>(line.owner);
-    proof.kind = "direction";
-    proof.owner = line.owner;
-    proof.level = line.level;
-    proof.normal = ToVec(line.line.normal);
-    proof.supports[side] =
-        Farthest((line.owner == 0 ? a : run.StateOf(pair.b)).shape->polygon, line.line.normal);
-    proof.supports[1 - side] = ToVec(line.nearest);
-    proof.slack = static_cast<float>(std::max(0.0, bmr_dot(line.line.normal, nearest) - line.line.offset));
-    return proof;
+    const bmr_body_state a = run.StateOf(pair.a), b = run.StateOf(pair.b);
+    const bmr_polygon *const polygons[] = {a.shape->polygon, b.shape->polygon};
+    const bmr_pose poses[] = {a.pose, OtherPose(pair, run)};
+    return LineOf(line, polygons, poses);
 }
 
 /// None where the two are shown on different sides of a periodic box.

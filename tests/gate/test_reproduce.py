@@ -12,6 +12,23 @@ del sys.argv[1:]
 sys.path.insert(0, str(ROOT / "testbed_scenes"))
 import reproduce  # noqa: E402
 
+run, counted = reproduce.subprocess.run, {}
+
+
+def run_once(words, **options):
+    """Half a minute of counting is done once: a control then reads the same events beside another page."""
+    csv, key = pathlib.Path(words[-1]), tuple(words)
+    if key not in counted:
+        done = run(words, **options)
+        counted[key] = done, csv.read_bytes() if csv.suffix == ".csv" and csv.exists() else None
+    done, events = counted[key]
+    if events is not None:
+        csv.write_bytes(events)
+    return done
+
+
+reproduce.subprocess.run = run_once
+
 
 def reproduced(*names, changed=None):
     """(exit code, what it said) of `reproduce`; `changed`: a text of the pages, and the one in its place."""

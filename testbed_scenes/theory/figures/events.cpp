@@ -11,10 +11,6 @@
 namespace testbed {
 namespace {
 
-const bmr_kds_info &Structure(const char *name) {
-    return *StructureNamed(name);
-}
-
 /// A screw motion of B from one place to another in the time 0 to 1, A at rest.
 MotionFile Pass(bmr_vec2 from, bmr_vec2 to, double angle, double spin) {
     MotionFile file;
@@ -74,14 +70,17 @@ void DrawPointRun(Canvas &canvas, const Rectangle &page, const char *structure, 
     };
     std::vector<Event> events;
     size_t index = 0;
-    Follow(course, Structure(structure), bmr_default_kds_def(), true, [&](const bmr_simulation_event &event) {
-        if (regions)
-            canvas.Polygon(RegionOf(event.kds, world), {ink::Series(index), 0.16}, {ink::Series(index), 0.8});
-        else if (event.report.apart)
-            canvas.Line(event.after.line.normal, event.after.line.offset, {ink::Series(index), 0.9, 0.8});
-        events.push_back({event.pose.position, event.report.kind, event.after});
-        ++index;
-    });
+    Follow(
+        course, *StructureNamed(structure), bmr_default_kds_def(), true,
+        [&](const bmr_simulation_event &event) {
+            if (regions)
+                canvas.Polygon(RegionOf(event.kds, world), {ink::Series(index), 0.16},
+                               {ink::Series(index), 0.8});
+            else if (event.report.apart)
+                canvas.Line(event.after.line.normal, event.after.line.offset, {ink::Series(index), 0.9, 0.8});
+            events.push_back({event.pose.position, event.report.kind, event.after});
+            ++index;
+        });
     canvas.Polygon(polygon->Vertices(), {ink::kGrey, 0.35}, {ink::kBlack, 1.6});
     canvas.Text({0.0, 0.0}, 0.0, -5.0, "Q", 13.0, Align::Centre, ink::kBlack, true);
     canvas.Arrow(from, to, {ink::kBlack, 1.3});
@@ -120,13 +119,8 @@ void DrawPairEvent(Canvas &canvas, const Rectangle &page, const Course &course, 
     const int shown = std::max(seen.level, seen.after.level);
     canvas.Polygon(Envelope(a, level(a, shown)), {}, {ink::kBlue, 1.1});
     canvas.Polygon(Placed(Envelope(b, level(b, shown)), seen.pose), {}, {ink::kBlue, 1.1});
-    const auto line = [&](const bmr_kds_proof &proof, const Pen &pen) {
-        const bmr_pose owner = proof.owner == 0 ? bmr_pose_identity() : seen.pose;
-        const bmr_vec2 normal = bmr_rotate(&owner, proof.line.normal);
-        canvas.Line(normal, proof.line.offset + bmr_dot(normal, owner.position), pen);
-    };
-    line(seen.before, {ink::kGrey, 1.4, 1.0, {5.0, 3.0}});
-    line(seen.after, {ink::kRed, 1.6});
+    DrawLine(canvas, seen.before, seen.pose, {ink::kGrey, 1.4, 1.0, {5.0, 3.0}});
+    DrawLine(canvas, seen.after, seen.pose, {ink::kRed, 1.6});
     const auto corner = [&](const bmr_kds_proof &proof, const Colour &colour) {
         const bmr_pose other = proof.owner == 0 ? seen.pose : bmr_pose_identity();
         canvas.Dot(bmr_transform(&other, proof.nearest), 3.4, colour);
@@ -157,7 +151,7 @@ void DrawPairEvents(Canvas &canvas) {
 
     const MotionFile pass = Pass({-3.0, 2.2}, {2.6, 1.6}, 0.3, 2.2);
     const Course course(a, b, pass);
-    Follow(course, Structure("lazy-compass"), bmr_default_kds_def(), true,
+    Follow(course, *StructureNamed("lazy-compass"), bmr_default_kds_def(), true,
            [&seen](const bmr_simulation_event &event) {
                // A push must change the line to show anything, and a roll shows most where the line stays.
                if ((event.report.kind == BMR_KDS_PUSH && !event.report.line_changed) ||
@@ -180,12 +174,9 @@ void DrawPairEvents(Canvas &canvas) {
         ++column;
     }
     canvas.ClearPanel();
-    canvas.Segment({20.0, 18.0}, {42.0, 18.0}, {ink::kGrey, 1.4, 1.0, {5.0, 3.0}});
-    canvas.Text({48.0, 14.0}, 0.0, 0.0, "line and corner that failed", 10.5);
-    canvas.Segment({230.0, 18.0}, {252.0, 18.0}, {ink::kRed, 1.6});
-    canvas.Text({258.0, 14.0}, 0.0, 0.0, "line and corner after the repair", 10.5);
-    canvas.Segment({470.0, 18.0}, {492.0, 18.0}, {ink::kBlue, 1.1});
-    canvas.Text({498.0, 14.0}, 0.0, 0.0, "envelopes of the finer of the two levels", 10.5);
+    DrawKey(canvas, {20.0, 18.0}, {ink::kGrey, 1.4, 1.0, {5.0, 3.0}}, "line and corner that failed");
+    DrawKey(canvas, {230.0, 18.0}, {ink::kRed, 1.6}, "line and corner after the repair");
+    DrawKey(canvas, {470.0, 18.0}, {ink::kBlue, 1.1}, "envelopes of the finer of the two levels");
 }
 
 } // namespace testbed

@@ -34,13 +34,6 @@ Choice Chosen(const char *structure, const Body &a, const Body &b, const bmr_ins
     return choice;
 }
 
-/// The line of a proof in the frame of the page, which is A's.
-void DrawLine(Canvas &canvas, const bmr_kds_proof &proof, const bmr_pose &pose, const Pen &pen) {
-    const bmr_pose owner = proof.owner == 0 ? bmr_pose_identity() : pose;
-    const bmr_vec2 normal = bmr_rotate(&owner, proof.line.normal);
-    canvas.Line(normal, proof.line.offset + bmr_dot(normal, owner.position), pen);
-}
-
 /// The ranks of a body's edges in its tree: in each quadrant the middle edge, then those of both halves.
 std::vector<int> Depths(const std::vector<bmr_vec2> &vertices) {
     const size_t n = vertices.size();
@@ -128,12 +121,10 @@ void DrawFreeDirection(Canvas &canvas) {
     canvas.Text({0.0, 0.4}, 0.0, -5.0, "P", 14.0, Align::Centre, ink::kBlack, true);
     canvas.Text(now.pose.position, 0.0, -5.0, "Q", 14.0, Align::Centre, ink::kBlack, true);
     canvas.ClearPanel();
-    canvas.Segment({20.0, 26.0}, {42.0, 26.0}, {ink::kRed, 1.6});
-    canvas.Text({48.0, 22.0}, 0.0, 0.0, "the line, fixed in one body", 10.5);
+    DrawKey(canvas, {20.0, 26.0}, {ink::kRed, 1.6}, "the line, fixed in one body");
     canvas.Dot({224.0, 26.0}, 4.0, ink::kPurple);
     canvas.Text({234.0, 22.0}, 0.0, 0.0, "the window: corners of the other body's tangents", 10.5);
-    canvas.Segment({500.0, 26.0}, {522.0, 26.0}, {ink::kOrange, 1.4});
-    canvas.Text({528.0, 22.0}, 0.0, 0.0, "ends of the bracket", 10.5);
+    DrawKey(canvas, {500.0, 26.0}, {ink::kOrange, 1.4}, "ends of the bracket");
 }
 
 void DrawCoarseLine(Canvas &canvas) {
@@ -150,10 +141,8 @@ void DrawCoarseLine(Canvas &canvas) {
     const bmr_pose other = coarse.proof.owner == 0 ? now.pose : bmr_pose_identity();
     canvas.Dot(bmr_transform(&other, coarse.proof.nearest), 4.0, ink::kPurple);
     canvas.ClearPanel();
-    canvas.Segment({20.0, 26.0}, {42.0, 26.0}, {ink::kRed, 1.6});
-    canvas.Text({48.0, 22.0}, 0.0, 0.0, "the coarse line", 10.5);
-    canvas.Segment({150.0, 26.0}, {172.0, 26.0}, {ink::kGrey, 1.2, 1.0, {5.0, 3.0}});
-    canvas.Text({178.0, 22.0}, 0.0, 0.0, "the free direction", 10.5);
+    DrawKey(canvas, {20.0, 26.0}, {ink::kRed, 1.6}, "the coarse line");
+    DrawKey(canvas, {150.0, 26.0}, {ink::kGrey, 1.2, 1.0, {5.0, 3.0}}, "the free direction");
     canvas.Text({300.0, 22.0}, 0.0, 0.0, "1 2 3 ..: depth of an edge in its tree (the arrows, axes: 0)",
                 10.5);
 }

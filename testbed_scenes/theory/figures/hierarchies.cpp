@@ -92,8 +92,7 @@ void DrawBoomerangs(Canvas &canvas) {
 
     canvas.ClearPanel();
     double x = 14.0;
-    canvas.Segment({x, 26.0}, {x + 22.0, 26.0}, {ink::kBlack, 1.2});
-    canvas.Text({x + 28.0, 22.0}, 0.0, 0.0, "bounding rectangle P0", 11.0);
+    DrawKey(canvas, {x, 26.0}, {ink::kBlack, 1.2}, "bounding rectangle P0", 11.0);
     x += 42.0 + canvas.TextWidth("bounding rectangle P0", 11.0);
     for (uint32_t level = 1; level <= kLevels; ++level) {
         canvas.Box({x, 20.0, x + 12.0, 32.0}, {ink::Series(level - 1), 0.22}, {ink::Series(level - 1), 1.0});
@@ -101,8 +100,7 @@ void DrawBoomerangs(Canvas &canvas) {
         canvas.Text({x + 18.0, 22.0}, 0.0, 0.0, text, 11.0);
         x += 34.0 + canvas.TextWidth(text, 11.0);
     }
-    canvas.Segment({x, 26.0}, {x + 22.0, 26.0}, {ink::kBlack, 2.0, 1.0, {6.0, 4.0}});
-    canvas.Text({x + 28.0, 22.0}, 0.0, 0.0, "a boomerang", 11.0);
+    DrawKey(canvas, {x, 26.0}, {ink::kBlack, 2.0, 1.0, {6.0, 4.0}}, "a boomerang", 11.0);
 }
 
 namespace {

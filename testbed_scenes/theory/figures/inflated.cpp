@@ -123,8 +123,7 @@ void DrawWindow(Canvas &canvas) {
     canvas.ClearPanel();
     canvas.Dot({24.0, 24.0}, 4.0, ink::kPurple);
     canvas.Text({34.0, 20.0}, 0.0, 0.0, "the window W: three corners, all beyond the line", 10.5);
-    canvas.Segment({330.0, 24.0}, {352.0, 24.0}, {ink::kOrange, 1.6});
-    canvas.Text({358.0, 20.0}, 0.0, 0.0, "its cone: W holds B's nearest corner in it", 10.5);
+    DrawKey(canvas, {330.0, 24.0}, {ink::kOrange, 1.6}, "its cone: W holds B's nearest corner in it");
 }
 
 } // namespace testbed
