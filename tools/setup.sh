@@ -23,8 +23,8 @@ bmr_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 BMR_BUILD_PACKAGES=(build-essential cmake ninja-build pkg-config libbox2d-dev libgsl-dev
     libcli11-dev nlohmann-json3-dev libcairo2-dev libpolyclipping-dev)
 # shellcheck disable=SC2034
-BMR_TEST_PACKAGES=(doctest-dev libgmp-dev clang libclang-rt-14-dev clang-tidy
-    clang-format cppcheck llvm valgrind chromium chromium-driver python3-selenium python3 fonts-dejavu-core poppler-utils dpkg-dev fakeroot file)
+BMR_TEST_PACKAGES=(doctest-dev libgmp-dev clang libclang-rt-14-dev lld clang-format cppcheck llvm valgrind python3 fonts-dejavu-core
+    poppler-utils dpkg-dev fakeroot file)
 
 bmr_say() { printf '%s\n' "$*" >&2; }
 

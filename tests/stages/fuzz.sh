@@ -5,10 +5,10 @@
 # What one takes some seconds for; the one that drives Box2D has the longest way to go.
 executions_of() {
     case $1 in
-    fuzz_events) echo 200 ;;
-    fuzz_world) echo 50 ;;
-    fuzz_actor) echo 300 ;;
-    *) echo 2000 ;;
+    fuzz_events) echo 100 ;;
+    fuzz_world) echo 25 ;;
+    fuzz_actor) echo 150 ;;
+    *) echo 1000 ;;
     esac
 }
 

@@ -3,6 +3,7 @@
 # with --long alone: the playground's page is made by Emscripten, and tried in a browser on a desktop's and a phone's size
 
 stage_playground() {
+    bmr_need_packages chromium chromium-driver python3-selenium || return 1
     in_tree playground
     check "playground: made" bmr_quietly "$BMR_BUILD_DIR/make.log" env BMR_JOBS="$jobs" BMR_BUILD_DIR="$build_base" "$root/playground/make" || return 1
     check "playground: tried" /usr/bin/python3 "$root/tests/front/test_playground_page.py" "$BMR_BUILD_DIR/playground.html" || true

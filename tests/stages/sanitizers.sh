@@ -18,7 +18,7 @@ check_rest_with_clang() {
     python3 - "$BMR_BUILD_DIR/compile_commands.json" <<'PYTHON' |
 import json, re, shlex, sys
 for command in json.load(open(sys.argv[1])):
-    if re.search(r" -o testbed_scenes/(driver|manual)/", command["command"]):
+    if re.search(r" -o testbed_scenes/CMakeFiles/boomerang-testbed", command["command"]):
         line = re.sub(r" -o \S+ -c ", " -fsyntax-only ", command["command"])
         print("cd", shlex.quote(command["directory"]), "&&", line)
 PYTHON

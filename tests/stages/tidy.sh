@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # SPDX-License-Identifier: MIT
-# clang-tidy over core, the glue and the plugin; with --long with its analyzer
+# with --long alone: clang-tidy with its analyzer over core, the glue and the plugin
 
 # Each source once, as its own library compiles it: some are compiled again for the plugin, for static links, for a fuzzer.
 tidy_commands() {
@@ -16,26 +16,16 @@ json.dump(list(kept.values()), open(build + "/tidy/compile_commands.json", "w"))
 PYTHON
 }
 
-# tidy_one FILE: in the gate without clang's analyzer, which takes most of the time, and without the slowest of what looks for strings
-# and for moved objects, of which core and the glue have hardly any.
-tidy_one() {
-    local less=(--checks=-clang-analyzer-*,-bugprone-use-after-move,-bugprone-stringview-nullptr,-bugprone-suspicious-string-compare)
-    [ "$long" = no ] || less=()
-    clang-tidy --quiet -p "$BMR_BUILD_DIR/tidy" "${less[@]}" "$1"
-}
-
 check_tidy() {
     local log=$BMR_BUILD_DIR/boomerang-clang-tidy.log
-    export BMR_BUILD_DIR long
-    export -f tidy_one
     # The long ones first, so that no job waits for another's last file; C++ takes longest.
     (cd "$root" && sources 'core/**.c' 'box2d_glue/**.cpp' 'plugin/*.cpp' ':!plugin/renamed/*' | xargs wc -l |
         awk '$2 != "total" { print $1 * ($2 ~ /cpp$/ ? 20 : 1), $2 }' | sort -rn | cut -d ' ' -f 2 |
-        # shellcheck disable=SC2016
-        xargs -P "$jobs" -I '{}' bash -c 'tidy_one "$1"' _ '{}' 2>"$log")
+        xargs -P "$jobs" -n 1 clang-tidy --quiet -p "$BMR_BUILD_DIR/tidy" 2>"$log")
 }
 
 stage_tidy() {
+    bmr_need_packages clang-tidy || return 1
     in_tree clang
     # The commands are enough; nothing is built.
     bmr_configure clang && tidy_commands && check "clang-tidy" check_tidy
