@@ -60,4 +60,9 @@ void bmr_mesh_unite(bmr_mesh *mesh, uint32_t half);
 /// polygons", 1983): what is left is at most two a notch. O(n).
 void bmr_mesh_unite_idle(bmr_mesh *mesh);
 
+/// Makes the faces of a mesh fewer: groups of neighbouring ones are cut anew into the fewest, until that
+/// saves none anywhere, and where the whole fits into one group, it is done with that. Faces stay convex.
+/// Errors: NO_MEMORY, with the mesh still whole.
+bmr_error bmr_mesh_improve(bmr_mesh *mesh, const bmr_allocator *allocator);
+
 #endif

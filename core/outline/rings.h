@@ -55,4 +55,9 @@ typedef bool bmr_index_before(const void *context, uint32_t a, uint32_t b);
 void bmr_sort_indices(uint32_t *items, uint32_t count, uint32_t *scratch, bmr_index_before *before,
                       const void *context);
 
+/// The work of bmr_outline_simplify, of rings that are linked. Errors: those of bmr_sweep (a fault, which
+/// goes to *fault; NO_MEMORY).
+bmr_error bmr_simplify(const bmr_ring_links *links, double tolerance, const bmr_allocator *allocator,
+                       uint32_t *kept, uint32_t *counts, bmr_outline_fault *fault);
+
 #endif

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "outline/simplify.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "geometry/hull.h"
 #include "geometry/memory.h"
 #include "geometry/predicates.h"
-#include "outline/chord.h"
-#include "outline/grid.h"
 #include "outline/sweep.h"
 
 /// @file
@@ -26,6 +24,132 @@
 
 #define NONE BMR_OUTLINE_NONE
 
+/// How much the distance below may be off, as a part of the way from the segment's end to the point: two
+/// differences, two products, a sum, a length and a quotient of half an ulp each are 4 epsilon at most.
+#define CHORD_ERROR (8.0 * DBL_EPSILON)
+
+/// What the distances below are made of: the vectors from a to b and to p, scaled so that products neither
+/// overflow nor lose more than a denormal. All finite coordinates, but for those whose difference is none.
+typedef struct chord {
+    bmr_vec2 along, to;
+    double length, way;
+    int exponent;
+} chord;
+
+static chord chord_make(bmr_vec2 p, bmr_vec2 a, bmr_vec2 b) {
+    chord c = {bmr_sub(b, a), bmr_sub(p, a), 0.0, 0.0, 0};
+    frexp(fmax(fmax(fabs(c.along.x), fabs(c.along.y)), fmax(fabs(c.to.x), fabs(c.to.y))), &c.exponent);
+    c.along = bmr_vec2_make(ldexp(c.along.x, -c.exponent), ldexp(c.along.y, -c.exponent));
+    c.to = bmr_vec2_make(ldexp(c.to.x, -c.exponent), ldexp(c.to.y, -c.exponent));
+    c.length = hypot(c.along.x, c.along.y);
+    c.way = hypot(c.to.x, c.to.y);
+    return c;
+}
+
+/// A computed distance, rounded up; infinite where it is no number.
+static double chord_up(const chord *c, double distance) {
+    const double up = ldexp(distance + CHORD_ERROR * c->way + 4.0 * DBL_MIN, c->exponent) + 0x1p-1074;
+    return up >= 0.0 ? up : (double)INFINITY;
+}
+
+/// At least the distance of p from the segment from a to b, and hardly more.
+static double chord_distance(bmr_vec2 p, bmr_vec2 a, bmr_vec2 b) {
+    const chord c = chord_make(p, a, b);
+    const bmr_vec2 rest = bmr_sub(c.to, c.along);
+    const double part = bmr_dot(c.to, c.along);
+    if (!(part > 0.0))
+        return chord_up(&c, c.way);
+    return chord_up(&c, part < c.length * c.length ? fabs(bmr_cross(c.along, c.to)) / c.length
+                                                   : hypot(rest.x, rest.y));
+}
+
+/// The same from the whole line through a and b; from a where the two are one.
+static double chord_line_distance(bmr_vec2 p, bmr_vec2 a, bmr_vec2 b) {
+    const chord c = chord_make(p, a, b);
+    return chord_up(&c, c.length > 0.0 ? fabs(bmr_cross(c.along, c.to)) / c.length : c.way);
+}
+
+/// The points of an outline in cells over their bounding box, about one a cell, to find those in a triangle.
+typedef struct point_grid {
+    const bmr_vec2 *points;
+    bmr_vec2 low, size; ///< halved, so that no difference of two coordinates overflows
+    uint32_t columns, rows;
+    uint32_t *first; ///< point of each cell; NONE: it is empty
+    uint32_t *next;  ///< of each point in its cell
+} point_grid;
+
+static uint32_t side_of(uint32_t points) {
+    return (uint32_t)sqrt((double)points) + 1;
+}
+
+/// How many cells there are for so many points.
+static uint32_t grid_cells(uint32_t points) {
+    return side_of(points) * side_of(points);
+}
+
+/// Rounding moves a point to a neighbouring cell at most, and never one point past another: whatever is
+/// between two coordinates is in a cell between theirs.
+static uint32_t cell_of(double x, double low, double size, uint32_t cells) {
+    const double part = size > 0.0 ? (0.5 * x - low) / size : 0.0;
+    const uint32_t cell = (uint32_t)(part * cells);
+    return cell < cells ? cell : cells - 1;
+}
+
+/// Into arrays of the caller's: grid_cells(count) and `count` numbers.
+static void grid_make(point_grid *grid, const bmr_vec2 *points, uint32_t count, uint32_t *first,
+                      uint32_t *next) {
+    bmr_vec2 low = points[0], high = points[0];
+    for (uint32_t i = 1; i < count; ++i) {
+        low = bmr_vec2_make(fmin(low.x, points[i].x), fmin(low.y, points[i].y));
+        high = bmr_vec2_make(fmax(high.x, points[i].x), fmax(high.y, points[i].y));
+    }
+    low = bmr_scale(0.5, low);
+    const bmr_vec2 size = bmr_sub(bmr_scale(0.5, high), low);
+    const uint32_t side = side_of(count);
+    *grid = (point_grid){points, low, size, side, side, first, next};
+    for (uint32_t c = 0; c < side * side; ++c)
+        first[c] = NONE;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t cell =
+            cell_of(points[i].y, low.y, size.y, side) * side + cell_of(points[i].x, low.x, size.x, side);
+        next[i] = first[cell];
+        first[cell] = i;
+    }
+}
+
+/// Is p in the closed triangle, whose corners turn by `turn`?
+static bool holds(const bmr_vec2 corners[3], int turn, bmr_vec2 p) {
+    for (int i = 0; i < 3; ++i)
+        if (bmr_orientation(corners[i], corners[(i + 1) % 3], p) * turn < 0)
+            return false;
+    return true;
+}
+
+/// Is a point in the closed triangle that is not `removed` and lies in none of its three corners' places, or
+/// in that of `tip` without being it? (The triangle's corners are points tip, a and b.)
+static bool grid_blocks(const point_grid *grid, const bool *removed, uint32_t tip, uint32_t a, uint32_t b) {
+    const bmr_vec2 *p = grid->points;
+    const bmr_vec2 corners[3] = {p[tip], p[a], p[b]};
+    const int turn = bmr_orientation(corners[0], corners[1], corners[2]);
+    const bmr_vec2 low = {fmin(fmin(p[tip].x, p[a].x), p[b].x), fmin(fmin(p[tip].y, p[a].y), p[b].y)};
+    const bmr_vec2 high = {fmax(fmax(p[tip].x, p[a].x), p[b].x), fmax(fmax(p[tip].y, p[a].y), p[b].y)};
+    const uint32_t left = cell_of(low.x, grid->low.x, grid->size.x, grid->columns);
+    const uint32_t right = cell_of(high.x, grid->low.x, grid->size.x, grid->columns);
+    const uint32_t bottom = cell_of(low.y, grid->low.y, grid->size.y, grid->rows);
+    const uint32_t top = cell_of(high.y, grid->low.y, grid->size.y, grid->rows);
+    for (uint32_t row = bottom; row <= top; ++row)
+        for (uint32_t column = left; column <= right; ++column)
+            for (uint32_t q = grid->first[row * grid->columns + column]; q != NONE; q = grid->next[q]) {
+                if (removed[q] || q == tip || bmr_sweep_compare(p[q], p[a]) == 0 ||
+                    bmr_sweep_compare(p[q], p[b]) == 0)
+                    continue;
+                if (p[q].x >= low.x && p[q].x <= high.x && p[q].y >= low.y && p[q].y <= high.y &&
+                    holds(corners, turn, p[q]))
+                    return true;
+            }
+    return false;
+}
+
 typedef struct simplifier {
     const bmr_ring_links *links;
     double tolerance;
@@ -35,7 +159,7 @@ typedef struct simplifier {
     double *cost;
     uint32_t *heap, *place; ///< points by cost; NONE in `place`: it is not in the heap
     uint32_t heap_count;
-    bmr_grid grid;
+    point_grid grid;
 } simplifier;
 
 /// All points of places where more than two edges meet.
@@ -75,7 +199,7 @@ static double cost_of(const simplifier *s, uint32_t i) {
         return (double)INFINITY;
     double most = 0.0;
     for (uint32_t k = s->links->next[a]; k != b; k = s->links->next[k]) {
-        most = fmax(most, bmr_chord_distance(p[k], p[a], p[b]));
+        most = fmax(most, chord_distance(p[k], p[a], p[b]));
         if (!(most <= s->tolerance))
             return (double)INFINITY;
     }
@@ -91,7 +215,7 @@ static bool may_go(const simplifier *s, uint32_t i) {
         return false;
     return is_flat(s, i) ||
            (!(s->touches[a] && s->touches[b]) && !turns_back(p, a, b, s->next[b]) &&
-            !turns_back(p, b, a, s->previous[a]) && !bmr_grid_blocks(&s->grid, s->removed, i, a, b));
+            !turns_back(p, b, a, s->previous[a]) && !grid_blocks(&s->grid, s->removed, i, a, b));
 }
 
 static bool is_cheaper(const simplifier *s, uint32_t a, uint32_t b) {
@@ -167,7 +291,7 @@ static bool is_narrow(const bmr_vec2 *hull, size_t count, double width) {
         const bmr_vec2 a = hull[i], b = hull[(i + 1) % count];
         // A point that is too far off is most likely opposite: begin there.
         size_t k = 0;
-        while (k < count && bmr_chord_line_distance(hull[(i + count / 2 + k) % count], a, b) <= width)
+        while (k < count && chord_line_distance(hull[(i + count / 2 + k) % count], a, b) <= width)
             ++k;
         if (k == count)
             return true;
@@ -214,7 +338,7 @@ static bool lay_out(simplifier *s, char *block, size_t *bytes, bmr_vec2 **scratc
                                {n, sizeof(uint32_t)},
                                {n, sizeof(uint32_t)},
                                {n, sizeof(uint32_t)},
-                               {bmr_grid_cells((uint32_t)n), sizeof(uint32_t)},
+                               {grid_cells((uint32_t)n), sizeof(uint32_t)},
                                {n, sizeof(bool)},
                                {n, sizeof(bool)},
                                {s->links->ring_count, sizeof(uint32_t)}};
@@ -233,8 +357,8 @@ static bool lay_out(simplifier *s, char *block, size_t *bytes, bmr_vec2 **scratc
     s->previous = (uint32_t *)(void *)(block + at[3]);
     s->heap = (uint32_t *)(void *)(block + at[4]);
     s->place = (uint32_t *)(void *)(block + at[5]);
-    bmr_grid_make(&s->grid, s->links->points, s->links->count, (uint32_t *)(void *)(block + at[7]),
-                  (uint32_t *)(void *)(block + at[6]));
+    grid_make(&s->grid, s->links->points, s->links->count, (uint32_t *)(void *)(block + at[7]),
+              (uint32_t *)(void *)(block + at[6]));
     s->removed = (bool *)(block + at[8]);
     s->touches = (bool *)(block + at[9]);
     s->left = (uint32_t *)(void *)(block + at[10]);

@@ -3,7 +3,27 @@
 #define BMR_OUTLINE_SWEEP_H
 
 #include "outline/rings.h"
-#include "outline/status.h"
+
+/// A strand is an edge of the outline from left to right, or the part of one between two touches. What the
+/// sweep's line meets are strands, from below to above; the gap between two of them is solid or void.
+
+/// Of a solid gap, for the triangulation: nodes of the chain between what is cut into triangles and what is
+/// not.
+typedef struct bmr_gap {
+    uint32_t low, high, newest;
+} bmr_gap;
+
+typedef struct bmr_strand {
+    uint32_t left, right; ///< points; of points that coincide, the first
+    /// Which passage of the outline through its left and its right point it is: a point's own index, or that
+    /// of the edge plus the number of points where the edge goes on beyond the point.
+    uint32_t left_passage, right_passage;
+    uint32_t edge;         ///< of the outline
+    uint32_t lower, upper; ///< the tree: its two subtrees
+    uint32_t priority;     ///< in the tree none below has a higher one
+    bool solid_above;
+    bmr_gap gap; ///< the one above, where it is solid
+} bmr_strand;
 
 /// What the sweep meets at one place: all strands that end there, and all that start there, both from below.
 /// The gap above a strand is solid where its `solid_above` says so.
