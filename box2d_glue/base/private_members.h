@@ -3,6 +3,7 @@
 #define BOOMERANG_GLUE_PRIVATE_MEMBERS_H
 
 #include <box2d/b2_body.h>
+#include <box2d/b2_broad_phase.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_joint.h>
@@ -50,6 +51,7 @@ BMR_NAME_MEMBER(SolveVelocityConstraints, b2Joint, SolveVelocityConstraints,
 BMR_NAME_MEMBER(SolvePositionConstraints, b2Joint, SolvePositionConstraints,
                 bool (b2Joint::*)(const b2SolverData &));
 
+BMR_NAME_MEMBER(Tree, b2BroadPhase, m_tree, b2DynamicTree b2BroadPhase::*);
 BMR_NAME_MEMBER(JointInIsland, b2Joint, m_islandFlag, bool b2Joint::*);
 BMR_NAME_MEMBER(ContactManager, b2World, m_contactManager, b2ContactManager b2World::*);
 BMR_NAME_MEMBER(AllowSleep, b2World, m_allowSleep, bool b2World::*);
@@ -105,9 +107,8 @@ struct ContactAccess : b2Contact {
 
 /// Names protected members of b2Fixture's.
 struct FixtureAccess : b2Fixture {
-    static int32 ProxyOf(const b2Fixture *fixture, int32 child) {
-        return (fixture->*(&FixtureAccess::m_proxies))[child].proxyId;
-    }
+    static int32 ProxyOf(const b2Fixture *fixture, int32 child) { return Proxies(fixture)[child].proxyId; }
+    static b2FixtureProxy *Proxies(const b2Fixture *fixture) { return fixture->*(&FixtureAccess::m_proxies); }
     static int32 ProxyCount(const b2Fixture *fixture) { return fixture->*(&FixtureAccess::m_proxyCount); }
 };
 

@@ -65,8 +65,7 @@ ListCounts CollideByList(b2ContactManager *manager, b2Contact *contact) {
         } else {
             b2Contact *parted = contact;
             contact = contact->GetNext();
-            manager->Destroy(parted);
-            AskRoundingAgain();
+            EndContact(manager, parted);
         }
     }
     return counts;
@@ -177,14 +176,13 @@ void CollidePass::Destroy(uint32_t i, b2Contact *contact) {
         if (!m_table->WasLeft())
             BeforeGame();
         m_next = contact->GetNext();
-        m_manager->Destroy(contact);
-        AskRoundingAgain();
+        EndContact(m_manager, contact);
         AfterGame();
         return;
     }
     b2Body *const bodies[2] = {contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody()};
     const bool slept[2] = {!IsActive(bodies[0]), !IsActive(bodies[1])};
-    m_manager->Destroy(contact);
+    EndContact(m_manager, contact);
     for (int side = 0; side < 2; ++side) // the end of a contact that touched wakes its bodies
         if (slept[side] && IsActive(bodies[side]))
             Wake(bodies[side], i);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "glue/passes.h"
 
+#include <optional>
+
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
@@ -18,8 +20,8 @@ namespace bmr {
 
 namespace {
 
-/// A contact that is being made.
-struct NewContact : b2Contact {
+/// A contact that is being made, or ends.
+struct LinkedContact : b2Contact {
     /// nullptr where Box2D has no contacts of these shapes.
     static b2Contact *Create(const b2FixtureProxy &a, const b2FixtureProxy &b, b2BlockAllocator *allocator) {
         return b2Contact::Create(a.fixture, a.childIndex, b.fixture, b.childIndex, allocator);
@@ -33,19 +35,30 @@ struct NewContact : b2Contact {
         return edge != nullptr;
     }
 
-    /// Puts it at the head of the world's list.
-    static void Link(b2Contact *contact, b2Contact **list) {
-        contact->*(&NewContact::m_next) = *list;
-        if (*list != nullptr)
-            *list->*(&NewContact::m_prev) = contact;
-        *list = contact;
+    /// Puts it at the head of the world's list and of its bodies'.
+    static void Link(b2ContactManager *manager, b2Contact *contact) {
+        b2Contact *&list = manager->m_contactList;
+        contact->*(&LinkedContact::m_next) = list;
+        if (list != nullptr)
+            list->*(&LinkedContact::m_prev) = contact;
+        list = contact;
+        b2Body *bodyA = contact->GetFixtureA()->GetBody(), *bodyB = contact->GetFixtureB()->GetBody();
+        Attach(&(contact->*(&LinkedContact::m_nodeA)), contact, bodyA, bodyB);
+        Attach(&(contact->*(&LinkedContact::m_nodeB)), contact, bodyB, bodyA);
+        ++manager->m_contactCount;
     }
 
-    /// Puts it at the head of its bodies' lists.
-    static void Join(b2Contact *contact) {
-        b2Body *bodyA = contact->GetFixtureA()->GetBody(), *bodyB = contact->GetFixtureB()->GetBody();
-        Attach(&(contact->*(&NewContact::m_nodeA)), contact, bodyA, bodyB);
-        Attach(&(contact->*(&NewContact::m_nodeB)), contact, bodyB, bodyA);
+    /// Takes it out of all lists, and frees it.
+    static void Destroy(b2ContactManager *manager, b2Contact *contact) {
+        b2Contact *const before = contact->*(&LinkedContact::m_prev), *const after =
+                                                                          contact->*(&LinkedContact::m_next);
+        (before != nullptr ? before->*(&LinkedContact::m_next) : manager->m_contactList) = after;
+        if (after != nullptr)
+            after->*(&LinkedContact::m_prev) = before;
+        Detach(contact->*(&LinkedContact::m_nodeA), contact->GetFixtureA()->GetBody());
+        Detach(contact->*(&LinkedContact::m_nodeB), contact->GetFixtureB()->GetBody());
+        b2Contact::Destroy(contact, manager->m_allocator);
+        --manager->m_contactCount;
     }
 
 private:
@@ -66,6 +79,12 @@ private:
             list->prev = edge;
         list = edge;
     }
+
+    static void Detach(const b2ContactEdge &edge, b2Body *body) {
+        (edge.prev != nullptr ? edge.prev->next : body->*Named(ContactList())) = edge.next;
+        if (edge.next != nullptr)
+            edge.next->prev = edge.prev;
+    }
 };
 
 /// The client for which b2BroadPhase::UpdatePairs is instantiated.
@@ -85,12 +104,10 @@ public:
             m_table = FollowedTable(); // the world may have left the one before
         if (!passes)
             return;
-        b2Contact *contact = NewContact::Create(a, b, m_manager->m_allocator);
+        b2Contact *contact = LinkedContact::Create(a, b, m_manager->m_allocator);
         if (contact == nullptr)
             return;
-        NewContact::Link(contact, &m_manager->m_contactList);
-        NewContact::Join(contact);
-        ++m_manager->m_contactCount;
+        LinkedContact::Link(m_manager, contact);
         if (m_table != nullptr || m_manager->m_contactCount == CostOfAPass())
             m_table = FollowedTable();
     }
@@ -106,10 +123,10 @@ private:
     bool Exists(const b2FixtureProxy &a, const b2FixtureProxy &b) const {
         // (A filter may have made or ended contacts.)
         if (m_table == nullptr || m_table->proxyPairs.HasUnknown() || !m_table->IsWhole())
-            return NewContact::ExistsInList(a, b);
+            return LinkedContact::ExistsInList(a, b);
         const bool exists = m_table->proxyPairs.Exists(a.proxyId, b.proxyId);
         if (Verifying())
-            VerifyExists(*a.fixture, *b.fixture, exists, NewContact::ExistsInList(a, b));
+            VerifyExists(*a.fixture, *b.fixture, exists, LinkedContact::ExistsInList(a, b));
         return exists;
     }
 
@@ -158,6 +175,19 @@ void FindNewContacts(b2ContactManager *manager) {
     manager->m_broadPhase.UpdatePairs(&finder);
     if (PairTable *table = FindPairTable(manager))
         table->CatchUp();
+}
+
+void EndContact(b2ContactManager *manager, b2Contact *contact) {
+    std::optional<PairTable::Ending> ending;
+    if (PairTable *const table = FindAndSignPairTable(manager))
+        ending.emplace(table, contact);
+    if (manager->m_contactListener != nullptr && contact->IsTouching()) {
+        manager->m_contactListener->EndContact(contact);
+        AskRoundingAgain();
+    }
+    LinkedContact::Destroy(manager, contact);
+    if (ending.has_value())
+        ending->Complete();
 }
 
 } // namespace bmr

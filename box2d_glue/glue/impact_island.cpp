@@ -9,6 +9,7 @@
 #include "glue/impacts.h"
 #include "glue/passes.h"
 #include "solver/island_solver.h"
+#include "tree/fixture_boxes.h"
 
 namespace bmr {
 
@@ -189,7 +190,7 @@ void ImpactPass::EndIsland(const Island &island) {
         BodyInIsland::Clear(body);
         if (body->GetType() != b2_dynamicBody)
             continue;
-        (body->*Named(SynchronizeFixtures()))();
+        tree::SynchronizeBoxes(body);
         for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
             ForgetTime(edge->contact);
             ContactAccess::Flags(edge->contact) &= ~ContactAccess::kInIsland;

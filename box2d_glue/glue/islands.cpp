@@ -11,6 +11,7 @@
 #include "glue/contact_update.h"
 #include "glue/pairs/pair_table.h"
 #include "solver/island_solver.h"
+#include "tree/fixture_boxes.h"
 
 namespace bmr {
 
@@ -308,7 +309,7 @@ void IslandPass::PutPlaceBack(b2Body *body) {
 void IslandPass::Follow(b2Body *body) {
     if (!BodyInIsland::Is(body) || body->GetType() == b2_staticBody)
         return;
-    (body->*Named(SynchronizeFixtures()))();
+    tree::SynchronizeBoxes(body);
     if (m_table != nullptr && !body->IsAwake())
         m_table->deferred.EnableOfSleeper(body);
 }

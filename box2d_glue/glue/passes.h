@@ -6,6 +6,7 @@
 
 #include <box2d/b2_settings.h>
 
+class b2Contact;
 class b2ContactManager;
 class b2World;
 struct b2TimeStep;
@@ -58,6 +59,12 @@ void SolveImpacts(b2World *world, const b2TimeStep &step, IslandSolver *solver, 
 /// contacts are made in the same order, and the same filters asked. Pairs are found by tree/pair_descent.h;
 /// contacts that exist already, in the table of pairs, where Box2D walks over the body's list.
 void FindNewContacts(b2ContactManager *manager);
+
+/// b2ContactManager::Destroy: tells the listener if the contact touches, takes it out of the lists of its
+/// world and bodies, and frees it. Its pair goes last: the listener may step the world, or end other
+/// contacts, and numbers stay; and it may make others, which get the proxies of a body that is being put out
+/// of the world.
+void EndContact(b2ContactManager *manager, b2Contact *contact);
 
 } // namespace bmr
 

@@ -281,9 +281,9 @@ private:
 };
 
 // b2DynamicTree::CreateProxy, DestroyProxy and MoveProxy: the same tree by the same arithmetic, with boxes
-// in registers and without a call for each node that is balanced. `box2d()` is Box2D's own function, which is
-// asked for ids that are none of a leaf in the tree, on which it asserts; for boxes that are not finite; and
-// where Box2D's array of nodes must grow. Rounding is to nearest, as Box2D's.
+// in registers and without a call for each node that is balanced. Box2D's own function is to be asked for ids
+// that are none of a leaf in the tree, on which it asserts; for boxes that are not finite; and where Box2D's
+// array of nodes must grow. Rounding is to nearest, as Box2D's.
 
 inline bool IsFinite(const b2AABB &box) {
     return std::isfinite(box.lowerBound.x) && std::isfinite(box.lowerBound.y) &&
@@ -352,24 +352,6 @@ inline bool MoveHere(const b2DynamicTree &tree, int32 id, const b2AABB &aabb, co
     if (*moved) // most stay, and need no edit
         MoveLeaf(tree, id, fat);
     return true;
-}
-
-template <typename Box2D>
-int32 CreateProxy(const b2DynamicTree &tree, const b2AABB &aabb, void *userData, const Box2D &box2d) {
-    int32 id;
-    return CreateHere(tree, aabb, userData, &id) ? id : box2d();
-}
-
-template <typename Box2D> void DestroyProxy(const b2DynamicTree &tree, int32 id, const Box2D &box2d) {
-    if (!DestroyHere(tree, id))
-        box2d();
-}
-
-template <typename Box2D>
-bool MoveProxy(const b2DynamicTree &tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement,
-               const Box2D &box2d) {
-    bool moved;
-    return MoveHere(tree, id, aabb, displacement, &moved) ? moved : box2d();
 }
 
 } // namespace bmr::tree

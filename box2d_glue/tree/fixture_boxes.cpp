@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // For polygons and circles both poses are done at once, in registers, in the order of
 // b2PolygonShape::ComputeAABB, and for big ConvexShapes as in theirs; and most leaves, which stay, are
-// recognised here. Leaves that move are b2BroadPhase::MoveProxy's.
+// recognised here.
 #include "tree/fixture_boxes.h"
 
 #include <cstring>
@@ -11,23 +11,18 @@
 #include <box2d/b2_circle_shape.h>
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
+#include <box2d/b2_world.h>
 
+#include "base/private_members.h"
+#include "base/rounding_mode.h"
 #include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
-#include "tree/box.h"
+#include "tree/edit.h"
 
 namespace bmr::tree {
 
 namespace {
-
-/// Names protected members of b2Fixture's.
-struct ProxyAccess : b2Fixture {
-    /// The proxy of a fixture that has one; nullptr where it has none, or several.
-    static b2FixtureProxy *OnlyProxyOf(const b2Fixture *fixture) {
-        return fixture->*(&ProxyAccess::m_proxyCount) == 1 ? fixture->*(&ProxyAccess::m_proxies) : nullptr;
-    }
-};
 
 /// The points whose box, made larger by the shape's radius, is the shape's.
 struct Corners {
@@ -122,13 +117,20 @@ bool IsFinite(const Swept &swept) {
     return HasNumbers(sub4(swept.around, swept.around)) && HasNumbers(swept.displacement);
 }
 
-/// False where the fixture is Box2D's to do.
-bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                     const b2Transform &xf2) {
-    const b2Shape &shape = *fixture->GetShape();
+/// b2BroadPhase::MoveProxy. Box2D's own is asked for boxes that are not finite.
+void MoveProxy(b2BroadPhase *broadPhase, const b2FixtureProxy &proxy, const b2Vec2 &displacement) {
+    bool moved;
+    if (!MoveHere(broadPhase->*Named(Tree()), proxy.proxyId, proxy.aabb, displacement, &moved))
+        broadPhase->MoveProxy(proxy.proxyId, proxy.aabb, displacement);
+    else if (moved)
+        broadPhase->TouchProxy(proxy.proxyId);
+}
+
+/// Of a shape that has one proxy and corners. False where nothing is done.
+bool SynchronizeCorners(const b2Shape &shape, b2FixtureProxy *proxy, b2BroadPhase *broadPhase,
+                        const b2Transform &xf1, const b2Transform &xf2) {
     const Corners corners = CornersOf(shape);
-    b2FixtureProxy *proxy = ProxyAccess::OnlyProxyOf(fixture);
-    if (corners.count == 0 || proxy == nullptr)
+    if (corners.count == 0)
         return false;
     const Swept swept = corners.big != nullptr ? SweepBig(corners.big->polygon, shape.m_radius, xf1, xf2)
                                                : Sweep(corners, shape.m_radius, xf1, xf2);
@@ -139,7 +141,7 @@ bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Trans
     if (!Stays(BoxOf(broadPhase->GetFatAABB(proxy->proxyId)), swept.around)) {
         b2Vec2 displacement;
         store_low4(&displacement.x, swept.displacement);
-        broadPhase->MoveProxy(proxy->proxyId, proxy->aabb, displacement);
+        MoveProxy(broadPhase, *proxy, displacement);
     }
     return true;
 }
@@ -147,9 +149,35 @@ bool SynchronizeHere(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Trans
 } // namespace
 
 void SynchronizeBoxes(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                      const b2Transform &xf2, Box2DsSynchronize *box2d) {
-    if (!SynchronizeHere(fixture, broadPhase, xf1, xf2))
-        box2d(fixture, broadPhase, xf1, xf2);
+                      const b2Transform &xf2) {
+    const b2Shape &shape = *fixture->GetShape();
+    const int32 count = FixtureAccess::ProxyCount(fixture);
+    b2FixtureProxy *const proxies = FixtureAccess::Proxies(fixture);
+    if (count == 1 && SynchronizeCorners(shape, proxies, broadPhase, xf1, xf2))
+        return;
+    for (int32 i = 0; i < count; ++i) {
+        b2AABB first, second;
+        shape.ComputeAABB(&first, xf1, proxies[i].childIndex);
+        shape.ComputeAABB(&second, xf2, proxies[i].childIndex);
+        proxies[i].aabb.Combine(first, second);
+        MoveProxy(broadPhase, proxies[i], second.GetCenter() - first.GetCenter());
+    }
+}
+
+void SynchronizeBoxes(b2Body *body) {
+    if (!RoundsToNearest()) {
+        (body->*Named(SynchronizeFixtures()))();
+        return;
+    }
+    const b2Sweep &sweep = SweepOf(*body);
+    b2Transform begin = body->GetTransform();
+    if (body->IsAwake()) {
+        begin.q.Set(sweep.a0);
+        begin.p = sweep.c0 - b2Mul(begin.q, sweep.localCenter);
+    }
+    auto &manager = const_cast<b2ContactManager &>(body->GetWorld()->GetContactManager());
+    for (b2Fixture *fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext())
+        SynchronizeBoxes(fixture, &manager.m_broadPhase, begin, body->GetTransform());
 }
 
 } // namespace bmr::tree

@@ -4,19 +4,20 @@
 
 #include <box2d/b2_math.h>
 
+class b2Body;
 class b2BroadPhase;
 class b2Fixture;
 
 namespace bmr::tree {
 
-using Box2DsSynchronize = void(b2Fixture *, b2BroadPhase *, const b2Transform &, const b2Transform &);
-
 /// b2Fixture::Synchronize: after a step each fixture's box is set anew, around where it was and where it is,
-/// and its leaf of the tree moves if it must. `box2d` is Box2D's own, which does what is not done here:
-/// shapes that are neither polygons nor circles nor ConvexShapes, and boxes that are not finite.
-/// Rounding is to nearest.
+/// and its leaf of the tree moves if it must. Rounding is to nearest.
 void SynchronizeBoxes(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                      const b2Transform &xf2, Box2DsSynchronize *box2d);
+                      const b2Transform &xf2);
+
+/// b2Body::SynchronizeFixtures: the same of all its fixtures, from the beginning of its sweep on if it is
+/// awake. In any rounding.
+void SynchronizeBoxes(b2Body *body);
 
 } // namespace bmr::tree
 

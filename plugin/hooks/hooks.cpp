@@ -34,20 +34,14 @@ BMR_HOOKS(BMR_SEEN_BY_LOADERS)
 
 namespace {
 
-BMR_NOINLINE void StepHere(b2World *world, float timeStep, int32 velocityIterations,
-                           int32 positionIterations) {
-    CountStep();
-    if (StepIsOurs(*world))
-        RunStep(world, timeStep, velocityIterations, positionIterations);
-    else
-        stock::Step(world, timeStep, velocityIterations, positionIterations);
-}
-
 void StepAsAsked(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
     if (AnyBigPolygon())
         NoteDrawnByBox2D(nullptr, nullptr); // shapes that were drawn before a step are drawn anew after it
-    if (PassesRun(HookOf::Step))
-        StepHere(world, timeStep, velocityIterations, positionIterations);
+    const bool passesRun = PassesRun(HookOf::Step);
+    if (passesRun)
+        CountStep();
+    if (passesRun && StepIsOurs(*world))
+        RunStep(world, timeStep, velocityIterations, positionIterations);
     else
         stock::Step(world, timeStep, velocityIterations, positionIterations);
 }
@@ -85,23 +79,24 @@ bool TreeIsOurs() {
 
 BMR_NOINLINE bool MoveInstalled(b2DynamicTree *tree, int32 id, const b2AABB &aabb,
                                 const b2Vec2 &displacement) {
-    const auto box2d = [&] { return stock::MoveProxy(tree, id, aabb, displacement); };
-    return TreeIsOurs() ? tree::MoveProxy(*tree, id, aabb, displacement, box2d) : box2d();
+    bool moved;
+    return TreeIsOurs() && tree::MoveHere(*tree, id, aabb, displacement, &moved)
+               ? moved
+               : stock::MoveProxy(tree, id, aabb, displacement);
 }
 
 } // namespace
 
 int32 b2DynamicTree::CreateProxy(const b2AABB &aabb, void *userData) {
-    const auto box2d = [&] { return stock::CreateProxy(this, aabb, userData); };
-    return TreeIsOurs() ? tree::CreateProxy(*this, aabb, userData, box2d) : box2d();
+    int32 id;
+    return TreeIsOurs() && tree::CreateHere(*this, aabb, userData, &id)
+               ? id
+               : stock::CreateProxy(this, aabb, userData);
 }
 
 void b2DynamicTree::DestroyProxy(int32 id) {
-    const auto box2d = [&] { stock::DestroyProxy(this, id); };
-    if (TreeIsOurs())
-        tree::DestroyProxy(*this, id, box2d);
-    else
-        box2d();
+    if (!TreeIsOurs() || !tree::DestroyHere(*this, id))
+        stock::DestroyProxy(this, id);
 }
 
 bool b2DynamicTree::MoveProxy(int32 id, const b2AABB &aabb, const b2Vec2 &displacement) {
@@ -111,11 +106,7 @@ bool b2DynamicTree::MoveProxy(int32 id, const b2AABB &aabb, const b2Vec2 &displa
 
 void b2Fixture::Synchronize(b2BroadPhase *broadPhase, const b2Transform &xf1, const b2Transform &xf2) {
     if (PassesRun(HookOf::Synchronize) && RoundsToNearest())
-        tree::SynchronizeBoxes(
-            this, broadPhase, xf1, xf2,
-            [](b2Fixture *fixture, b2BroadPhase *phase, const b2Transform &first, const b2Transform &second) {
-                stock::Synchronize(fixture, phase, first, second);
-            });
+        tree::SynchronizeBoxes(this, broadPhase, xf1, xf2);
     else
         stock::Synchronize(this, broadPhase, xf1, xf2);
 }
@@ -123,14 +114,10 @@ void b2Fixture::Synchronize(b2BroadPhase *broadPhase, const b2Transform &xf1, co
 // What ends. A contact's record goes with it, and a world's table with the world.
 
 void b2ContactManager::Destroy(b2Contact *contact) {
-    PairTable *table = PassesRun(HookOf::Destroy) ? FindAndSignPairTable(this) : nullptr;
-    if (table == nullptr)
-        return stock::Destroy(this, contact);
-    // The listener's EndContact may step the world, or end other contacts: numbers stay. And it may make
-    // others, which get the proxies of a body that is being put out of the world.
-    PairTable::Ending ending(table, contact);
-    stock::Destroy(this, contact);
-    ending.Complete();
+    if (PassesRun(HookOf::Destroy))
+        EndContact(this, contact);
+    else
+        stock::Destroy(this, contact);
 }
 
 void b2World::DestroyBody(b2Body *body) {

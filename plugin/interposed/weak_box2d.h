@@ -23,6 +23,7 @@
     FUNCTION(_ZN12b2BroadPhase11CreateProxyERK6b2AABBPv) \
     FUNCTION(_ZN12b2BroadPhase12DestroyProxyEi) \
     FUNCTION(_ZN12b2BroadPhase13QueryCallbackEi) \
+    FUNCTION(_ZN12b2BroadPhase10TouchProxyEi) \
     FUNCTION(_ZN12b2BroadPhase9MoveProxyEiRK6b2AABBRK6b2Vec2) \
     FUNCTION(_ZN14b2PolygonShape3SetEPK6b2Vec2i) \
     FUNCTION(_ZNK12b2ChainShape12GetChildEdgeEP11b2EdgeShapei) \
@@ -45,6 +46,7 @@
     FUNCTION(_ZN7b2WorldC1ERK6b2Vec2) \
     FUNCTION(_ZN7b2WorldD1Ev) \
     FUNCTION(_ZN9b2Contact6CreateEP9b2FixtureiS1_iP16b2BlockAllocator) \
+    FUNCTION(_ZN9b2Contact7DestroyEPS_P16b2BlockAllocator) \
     FUNCTION(_ZN9b2Contact7AddTypeEPFPS_P9b2FixtureiS2_iP16b2BlockAllocatorEPFvS0_S4_EN7b2Shape4TypeESA_) \
     FUNCTION(_ZN9b2ContactC2EP9b2FixtureiS1_i) \
     FUNCTION(_ZN9b2Contact6UpdateEP17b2ContactListener) \
