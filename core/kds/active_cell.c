@@ -11,7 +11,7 @@
 //
 // Outside of M_0 the structure holds the edge of M_0 that is farthest off; such events have level -1.
 //
-// Bodies that are aligned need a displacement, and the margin needs lines moved outwards: see held_cell.h.
+// Bodies that are aligned need a displacement, and the margin needs lines moved outwards: see held_cell.
 //
 // Lines moved outwards make mitred corners. A pair nearer than sqrt(2) times the margin may be within them,
 // and in no cell; there the structure holds the closest direction as free-fd2 does, and its level is one
@@ -20,15 +20,175 @@
 #include <math.h>
 
 #include "hierarchy/mixed.h"
-#include "kds/failing.h"
-#include "kds/held_cell.h"
 #include "kds/registry.h"
 #include "kds/windowed_line.h"
 
+/// A cell of the mixed hierarchy as conditions and as a proof.
+///
+/// A point that moves along a border of two cells, or hierarchies with edges in common directions that never
+/// turn, would make conditions that are zero and stay zero. So the cell is one of A and of B displaced by a
+/// fixed tiny rigid motion: by design nothing is aligned with A then. All lines are moved outwards by as
+/// much, and by half the margin each: what is proved holds for B itself, with the margin.
+
+/// The pose for which a cell is chosen may differ from that of the event by this part of the extents, and by
+/// as many radians.
+#define HELD_SLACK 1e-9
+/// Level of what is outside of M_0.
+#define HELD_OUTSIDE_LEVEL (-1)
+
+typedef struct held_cell {
+    bmr_mixed mixed;       ///< at the rotation of the last event, a little ahead
+    bmr_pose displacement; ///< of B in its own frame
+    double scale;          ///< the extents
+    double room;           ///< how far B's points are from where the displacement has them, at most
+    bmr_mixed_cell cell;   ///< a cell, or an edge of M_0
+} held_cell;
+
+/// What the conditions are labelled: the roles of the sides, and the two orders.
+enum { HELD_SIDE = 8, HELD_PAGE = HELD_SIDE + 4, HELD_COLLAPSE };
+
+static inline bool held_is_cell(const held_cell *held) {
+    return held->cell.kind < BMR_MIXED_OUTSIDE;
+}
+
+/// B's displacement: an angle in radians, which is also its way as a part of the extents. Well above the
+/// angle within which directions are merged (1e-11) and above rounding, well below any sensible margin.
+#define DISPLACEMENT 0x1p-33
+/// Its direction: no multiple of any compass angle.
+#define DISPLACEMENT_X 0.8191
+#define DISPLACEMENT_Y 0.5737
+
+/// No cell yet, but all that does not depend on the pose.
+static held_cell held_make(const bmr_kds *kds) {
+    held_cell held = {.displacement = {.c = cos(DISPLACEMENT), .s = sin(DISPLACEMENT)}};
+    const double extent_b = kds->shapes[1].polygon->extent;
+    held.scale = fmax(kds->shapes[0].polygon->extent + extent_b, kds->def.margin);
+    const double way = DISPLACEMENT * held.scale;
+    held.displacement.position = bmr_vec2_make(way * DISPLACEMENT_X, way * DISPLACEMENT_Y);
+    held.room = way + DISPLACEMENT * 1.5 * extent_b; // a corner of the square is sqrt(2) extents away
+    const double apart = kds->def.margin + 2.0 * held.room + 2.0 * HELD_SLACK * held.scale;
+    held.mixed = bmr_mixed_make(bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1), 1.0, 0.0, 0.5 * apart);
+    return held;
+}
+
+/// The pose of the displaced B, given that of B.
+static bmr_pose held_displaced(const held_cell *held, const bmr_pose *pose) {
+    const bmr_pose *d = &held->displacement;
+    const bmr_pose q = {bmr_transform(pose, d->position), pose->c * d->c - pose->s * d->s,
+                        pose->s * d->c + pose->c * d->s};
+    return q;
+}
+
+/// The level of the edge that made the cell.
+static int held_level(const held_cell *held) {
+    const int32_t stage = bmr_mixed_stage(&held->mixed, &held->cell);
+    return stage < 0 ? HELD_OUTSIDE_LEVEL : stage / 2 + 1;
+}
+
+/// The edge whose line is the proof, and its body.
+static bmr_edge held_edge(const held_cell *held, int *owner) {
+    const bool own = held->cell.kind == BMR_MIXED_TRIANGLE || held->cell.kind == BMR_MIXED_OUTSIDE;
+    *owner = own ? held->cell.owner : 1 - held->cell.owner;
+    return own ? held->cell.edge : held->cell.other[0];
+}
+
+static bmr_condition condition_of_side(const held_cell *held, const bmr_mixed_figure *f, size_t i) {
+    const bmr_mixed_part *part = &f->parts[i];
+    const bmr_line *line = &f->lines[part->of][part->line];
+    const bmr_vec2 p = f->corners[1 - part->of][part->corner];
+    const int owner = part->of ? 1 - f->owner : f->owner, label = HELD_SIDE + part->role;
+    const double sign = (double)part->beyond;
+    if (owner == 0)
+        return bmr_condition_beyond(0, bmr_scale(sign, line->normal), sign * line->offset,
+                                    bmr_transform(&held->displacement, p), label);
+    const bmr_vec2 n = bmr_rotate(&held->displacement, line->normal);
+    const double offset = line->offset + bmr_dot(n, held->displacement.position);
+    return bmr_condition_beyond(1, bmr_scale(sign, n), sign * offset, p, label);
+}
+
+static bmr_vec2 normal_in(const bmr_mixed_figure *f, int body, bmr_edge edge) {
+    const int of = body == f->owner ? 0 : 1;
+    int i = 0;
+    while (i < 2 && f->edges[of][i] != edge)
+        ++i;
+    return f->lines[of][i].normal;
+}
+
+/// Lemma 4.2: a full turn of Q turns O(mn log m) pages.
+/// -B's normals are those of B turned round.
+static bmr_condition condition_of_order(const held_cell *held, const bmr_mixed_figure *f,
+                                        const bmr_mixed_order *order) {
+    const bmr_vec2 first = normal_in(f, order->owner, order->first);
+    const bmr_vec2 second = normal_in(f, 1 - order->owner, order->second);
+    const int label = order->page_turn ? HELD_PAGE : HELD_COLLAPSE;
+    return order->owner == 0
+               ? bmr_condition_turn(0, first, bmr_neg(bmr_rotate(&held->displacement, second)), label)
+               : bmr_condition_turn(1, bmr_neg(bmr_rotate(&held->displacement, first)), second, label);
+}
+
+/// One BEYOND for each side, then, if the pair may turn, two TURNs.
+static size_t held_conditions(const held_cell *held, bool turns, bmr_condition *out) {
+    bmr_mixed_figure figure;
+    bmr_mixed_order orders[2];
+    bmr_mixed_draw(&held->mixed, &held->cell, &figure);
+    const size_t count = figure.sides;
+    for (size_t i = 0; i < count; ++i)
+        out[i] = condition_of_side(held, &figure, i);
+    if (!turns)
+        return count;
+    bmr_mixed_orders(&held->mixed, &held->cell, orders);
+    out[count] = condition_of_order(held, &figure, &orders[0]);
+    out[count + 1] = condition_of_order(held, &figure, &orders[1]);
+    return count + 2;
+}
+
+static void held_proof(const held_cell *held, bmr_kds_proof *out) {
+    bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
+    const size_t count = bmr_mixed_sides(&held->mixed, &held->cell, sides);
+    size_t i = 0;
+    while (i + 1 < count && sides[i].role != BMR_MIXED_INNER)
+        ++i;
+    const int owner = sides[i].owner, other = 1 - owner;
+    out->owner = owner;
+    out->line = bmr_hierarchy_line(held->mixed.hierarchies[owner], sides[i].edge);
+    out->nearest = bmr_hierarchy_corner_point(
+        held->mixed.hierarchies[other],
+        bmr_hierarchy_corner(held->mixed.hierarchies[other], sides[i].corner[0], sides[i].corner[1]));
+    if (owner == 1) { // the line has B's displacement: out until all of B itself is behind it
+        out->line.normal = bmr_rotate(&held->displacement, out->line.normal);
+        out->line.offset += bmr_dot(out->line.normal, held->displacement.position) + held->room;
+    }
+    out->level = held_level(held);
+}
+
+/// The other body's edges of a cell: there when e was inserted, and a triangle's two adjacent.
+static bool is_of_its_stage(const held_cell *held) {
+    const int other = 1 - held->cell.owner;
+    const bmr_hierarchy *h = held->mixed.hierarchies[other];
+    const uint32_t level = (uint32_t)(bmr_mixed_stage(&held->mixed, &held->cell) + 1 - other) / 2u;
+    if (bmr_hierarchy_level(h, held->cell.other[0]) > level)
+        return false;
+    return held->cell.kind != BMR_MIXED_TRIANGLE ||
+           bmr_hierarchy_corner_after(h, held->cell.other[0], level).after == held->cell.other[1];
+}
+
+/// Up to HELD_SLACK: are all conditions true? And is the tuple one of its stage: were the other body's
+/// edges there when e was inserted, a triangle's two adjacent?
+static bmr_error held_audit(const held_cell *held, const bmr_pose *b_in_a) {
+    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+    const size_t count = held_conditions(held, true, conditions);
+    for (size_t i = 0; i < count; ++i) {
+        const double unit = conditions[i].kind == BMR_CONDITION_TURN ? 1.0 : held->scale;
+        if (!(bmr_condition_value(&conditions[i], b_in_a) > -2.0 * HELD_SLACK * unit))
+            return BMR_ERROR_INVALID_STRUCTURE;
+    }
+    return held_is_cell(held) && !is_of_its_stage(held) ? BMR_ERROR_INVALID_STRUCTURE : BMR_OK;
+}
+
 /// A repair does not look at the pose of the event, where the failed condition is zero up to rounding, but at
 /// one a little later: the bodies have moved on by this part of the extents. That is far above rounding
-/// (1e-15), and far below what the offset of the lines allows (BMR_HELD_SLACK). Where the failure was found
-/// early, it looks on to the failure itself, but never farther than BMR_HELD_SLACK.
+/// (1e-15), and far below what the offset of the lines allows (HELD_SLACK). Where the failure was found
+/// early, it looks on to the failure itself, but never farther than HELD_SLACK.
 #define AHEAD 1e-12
 /// If the pair turns at all, it has turned by this angle (radians) at least.
 #define AHEAD_ANGLE 1e-14
@@ -46,7 +206,7 @@ typedef struct cell_class {
 } cell_class;
 
 typedef struct cell_state {
-    bmr_held_cell held;       ///< unless `close`
+    held_cell held;           ///< unless `close`
     bool close;               ///< within the mitres: the line is the proof
     bmr_windowed_line line;   ///< if close
     uint32_t tile;            ///< tiled: of the cell
@@ -65,14 +225,14 @@ static const cell_state *constant_state_of(const bmr_kds *kds) {
 }
 
 static bmr_error prepare(bmr_kds *kds) {
-    state_of(kds)->held = bmr_held_make(kds);
+    state_of(kds)->held = held_make(kds);
     return BMR_OK;
 }
 
 static size_t conditions(const bmr_kds *kds, bmr_condition *out) {
     const cell_state *s = constant_state_of(kds);
     return s->close ? bmr_windowed_conditions(&s->line, kds->def.margin, out)
-                    : bmr_held_conditions(&s->held, kds->info->domain != BMR_KDS_TRANSLATION, out);
+                    : held_conditions(&s->held, kds->info->domain != BMR_KDS_TRANSLATION, out);
 }
 
 static void proof(const bmr_kds *kds, bmr_kds_proof *out) {
@@ -80,18 +240,18 @@ static void proof(const bmr_kds *kds, bmr_kds_proof *out) {
     if (s->close)
         bmr_windowed_proof(&s->line, out);
     else
-        bmr_held_proof(&s->held, out);
+        held_proof(&s->held, out);
 }
 
 static int level_of(const cell_state *s) {
-    return s->close ? s->line.level : bmr_held_level(&s->held);
+    return s->close ? s->line.level : held_level(&s->held);
 }
 
 static bool same_line(const cell_state *a, const cell_state *b) {
     int of_a, of_b;
     if (a->close || b->close)
         return a->close && b->close && bmr_windowed_same_line(&a->line, &b->line);
-    return bmr_held_edge(&a->held, &of_a) == bmr_held_edge(&b->held, &of_b) && of_a == of_b;
+    return held_edge(&a->held, &of_a) == held_edge(&b->held, &of_b) && of_a == of_b;
 }
 
 // --- a little ahead ---
@@ -119,7 +279,7 @@ static bmr_pose look_ahead(const cell_state *s, const bmr_instant *now, const bm
         const double value = bmr_condition_value(failed, &now->pose),
                      rate = bmr_condition_rate(failed, &then);
         if (value > 0.0 && rate < 0.0)
-            time = fmin(fmax(time, 2.0 * value / -rate), BMR_HELD_SLACK * s->held.scale / speed);
+            time = fmin(fmax(time, 2.0 * value / -rate), HELD_SLACK * s->held.scale / speed);
     }
     double angle = then.spin * time;
     if (angle != 0.0 && fabs(angle) < AHEAD_ANGLE)
@@ -177,15 +337,14 @@ static bmr_mixed_cell across(const cell_state *s, const bmr_condition *failed, b
     const bmr_vec2 n = bmr_vec2_make(-failed->normal.x, -failed->normal.y);
     const bmr_pose turn = {{0.0, 0.0}, mixed->c, mixed->s};
     const bmr_mixed_ray ray = {x, failed->owner == 0 ? n : bmr_neg(bmr_rotate(&turn, n))};
-    return bmr_mixed_next(mixed, &s->held.cell, (bmr_mixed_role)(failed->label - BMR_HELD_SIDE), &ray,
-                          touched);
+    return bmr_mixed_next(mixed, &s->held.cell, (bmr_mixed_role)(failed->label - HELD_SIDE), &ray, touched);
 }
 
 /// The usual case: the cell on the other side holds x and becomes the active one. False, and nothing has
 /// changed: it does not hold x, or the structure is tiled, which walks by stored neighbours instead.
 static bool step_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, unsigned *touched) {
     cell_state *s = state_of(kds);
-    if (class_of(kds)->tiled || s->close || !bmr_held_is_cell(&s->held))
+    if (class_of(kds)->tiled || s->close || !held_is_cell(&s->held))
         return false;
     const bmr_mixed_cell next = across(s, failed, x, touched);
     if (next.kind >= BMR_MIXED_OUTSIDE || !bmr_mixed_holds(&s->held.mixed, &next, x))
@@ -200,7 +359,7 @@ static bool step_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, uns
 /// condition is zero up to rounding, and grows. False, and nothing has changed: there is no such cell.
 static bool force_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, unsigned *touched) {
     cell_state *s = state_of(kds);
-    if (s->close || !bmr_held_is_cell(&s->held))
+    if (s->close || !held_is_cell(&s->held))
         return false;
     const bmr_mixed_cell next = across(s, failed, x, touched);
     if (bmr_mixed_same(&next, &s->held.cell) || !bmr_mixed_exists(&s->held.mixed, &next))
@@ -234,7 +393,7 @@ static bool find_from_outside(bmr_kds *kds, bmr_vec2 x, bmr_vec2 direction, unsi
 static bool find_from_cell(bmr_kds *kds, bmr_vec2 x, unsigned *touched) {
     cell_state *s = state_of(kds);
     bmr_mixed_cell cell = s->held.cell;
-    if (!bmr_held_is_cell(&s->held)) { // M_0 is entered through the edge that was held, or near it
+    if (!held_is_cell(&s->held)) { // M_0 is entered through the edge that was held, or near it
         bmr_mixed_side side[BMR_MIXED_MAX_SIDES];
         if (hold_outside(s, x))
             return true;
@@ -315,7 +474,7 @@ static void set_rotation(bmr_kds *kds, const bmr_pose *ahead) {
 
 static bool find(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
     cell_state *s = state_of(kds);
-    const bmr_pose ahead = look_ahead(s, now, NULL), q = bmr_held_displaced(&s->held, &ahead);
+    const bmr_pose ahead = look_ahead(s, now, NULL), q = held_displaced(&s->held, &ahead);
     set_rotation(kds, &q);
     if (!find_by_closest(kds, NULL, now, q.position, &report->touched))
         return false;
@@ -334,12 +493,12 @@ static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) 
 static bmr_kds_event_kind kind_of(const cell_state *s, const bmr_condition *failed) {
     if (s->close)
         return failed->label >= BMR_WINDOWED_LOW ? BMR_KDS_ROLL : BMR_KDS_PUSH;
-    if (failed->label >= BMR_HELD_PAGE)
-        return !bmr_held_is_cell(&s->held)      ? BMR_KDS_ROLL
-               : failed->label == BMR_HELD_PAGE ? BMR_KDS_PAGE_TURN
-                                                : BMR_KDS_COLLAPSE;
-    return bmr_held_is_cell(&s->held) && failed->label == BMR_HELD_SIDE + BMR_MIXED_INNER ? BMR_KDS_STAB
-                                                                                          : BMR_KDS_CROSS;
+    if (failed->label >= HELD_PAGE)
+        return !held_is_cell(&s->held)      ? BMR_KDS_ROLL
+               : failed->label == HELD_PAGE ? BMR_KDS_PAGE_TURN
+                                            : BMR_KDS_COLLAPSE;
+    return held_is_cell(&s->held) && failed->label == HELD_SIDE + BMR_MIXED_INNER ? BMR_KDS_STAB
+                                                                                  : BMR_KDS_CROSS;
 }
 
 /// For a condition that is positive a little ahead: has it failed all the same? It has, unless it is positive
@@ -395,7 +554,7 @@ static bool mend(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_re
     const cell_state before = *s;
     report->kind = kind_of(s, &held[failed]);
     report->level_before = level_of(s);
-    const bmr_pose q = bmr_held_displaced(&s->held, &ahead);
+    const bmr_pose q = held_displaced(&s->held, &ahead);
     set_rotation(kds, &q);
     const bool left = heals ? force_over(kds, &held[failed], q.position, &report->touched) &&
                                   !fails_at_once(kds, now, &ahead)
@@ -420,9 +579,9 @@ static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
     const cell_state *s = constant_state_of(kds);
     if (s->close)
         return bmr_windowed_audit(&s->line, kds, b_in_a);
-    const bool is_its_tile = !class_of(kds)->tiled || !bmr_held_is_cell(&s->held) ||
+    const bool is_its_tile = !class_of(kds)->tiled || !held_is_cell(&s->held) ||
                              bmr_mixed_tiling_find(s->tiling, &s->held.cell) == s->tile;
-    return is_its_tile ? bmr_held_audit(&s->held, b_in_a) : BMR_ERROR_INVALID_STRUCTURE;
+    return is_its_tile ? held_audit(&s->held, b_in_a) : BMR_ERROR_INVALID_STRUCTURE;
 }
 
 static size_t tiling_bytes(const bmr_shape *a, const bmr_shape *b, const bmr_kds_def *def) {

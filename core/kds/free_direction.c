@@ -71,7 +71,7 @@
 // Omega(g), and for g <= D that is Omega(sigma). An algebraic path of bounded degree has length O(D) in a
 // disc of radius O(D), and its rotation is O(1): O(D/sigma) steps there. Farther away a step takes |delta| =
 // Omega(1) or |tau| = Omega(g), of which each doubling of g has O(1): O(log(R/D)).
-#include "kds/free_direction.h"
+#include "kds/windowed_line.h"
 
 /// Which of two bodies' lines is better to have: the one that lasts longer at the rates of this instant;
 /// where these are unknown or tell nothing, the one whose window has the wider bracket.

@@ -6,8 +6,8 @@
 #include "boomerang/inflated.h"
 #include "certificate/walk.h"
 #include "hierarchy/tree.h"
-#include "kds/coarse_line.h"
 #include "kds/registry.h"
+#include "kds/windowed_line.h"
 
 /// A level's line is taken if it proves at least this part of the distance beyond the margin. One that keeps
 /// its promise has more, 1 / (2 + 2 sqrt 2); less is possible only with a margin as large as the polygons,

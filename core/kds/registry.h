@@ -26,10 +26,10 @@ extern const bmr_kds_info bmr_kds_point_lazy_dudley;
 extern const bmr_kds_info bmr_kds_triangle_levels_compass, bmr_kds_triangle_levels_dudley;
 extern const bmr_kds_info bmr_kds_triangle_binary_dudley;
 
-// closest_features.c, inner_tangent.c, separating_edge.c
+// features.c, inner_tangent.c, separating_edge.c
 extern const bmr_kds_info bmr_kds_closest_features, bmr_kds_inner_tangent, bmr_kds_separating_edge_walk;
 
-// point_inflated.c, point_complex.c
+// point_inflated.c
 extern const bmr_kds_info bmr_kds_point_inflated_compass, bmr_kds_point_inflated_dudley,
     bmr_kds_point_complex;
 

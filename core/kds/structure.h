@@ -6,7 +6,7 @@
 
 /// @file
 /// What a file of this room provides: one constant bmr_kds_class for each structure in it, named in
-/// registry.c's table. kds.c does what all share: checks of arguments, memory, contact, the exact distance.
+/// kds.c's table. kds.c does what all share: checks of arguments, memory, contact, the exact distance.
 
 /// The pair that a structure works on; its own state follows it in the same block.
 struct bmr_kds {
@@ -67,5 +67,17 @@ bool bmr_kds_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t *a, ui
 /// bmr_cone_end for the pair: an end of the directions that separate by `least`. O(log n).
 bmr_vec2 bmr_kds_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 inside, double least, int side,
                           const uint32_t support[2]);
+
+/// Failure times are found a little early. So a condition that is still positive counts as failed where its
+/// value is less than this part of the magnitudes that it is computed from, and falling.
+#define BMR_FAILING_PART 1e-10
+
+/// d/dt of bmr_condition_value under the instant's rates. O(1).
+double bmr_condition_rate(const bmr_condition *condition, const bmr_instant *now);
+
+/// Has the condition failed at this instant? It has if it is not positive, or if it is at most `tolerance`
+/// and falling. A condition below zero has failed even if it grows: where a motion turns round just after the
+/// failure, the search for failures reports this one for as long as the value is below zero.
+bool bmr_condition_fails(const bmr_condition *condition, const bmr_instant *now, double tolerance);
 
 #endif

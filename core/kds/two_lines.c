@@ -23,9 +23,8 @@
 // eta, then D/sigma > N^2 and mu = n.
 #include <stddef.h>
 
-#include "kds/coarse_line.h"
-#include "kds/free_direction.h"
 #include "kds/registry.h"
+#include "kds/windowed_line.h"
 
 typedef enum line_rule { RULE_HYBRID, RULE_TWO_LINES, RULE_FREE, RULE_COARSE } line_rule;
 

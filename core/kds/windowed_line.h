@@ -2,6 +2,9 @@
 #ifndef BMR_KDS_WINDOWED_LINE_H
 #define BMR_KDS_WINDOWED_LINE_H
 
+#include <math.h>
+
+#include "boomerang/inflated.h"
 #include "certificate/window.h"
 #include "kds/structure.h"
 
@@ -105,5 +108,24 @@ double bmr_windowed_least(const bmr_kds *kds);
 /// bmr_windowed_least.
 bool bmr_windowed_closest(const bmr_kds *kds, const bmr_pose *b_in_a, uint32_t support[2],
                           bmr_vec2 *direction, double *distance);
+
+/// The coarse line (certificate/coarse.h); the other body stands by its own vertices. `closest` is the
+/// direction of the closest points; `support` are vertices near the support vertices in it. False: no edge
+/// separates by more than bmr_windowed_least. O(log n).
+bool bmr_coarse_line(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 closest, const uint32_t support[2],
+                     bmr_windowed_line *line);
+
+/// The slack below which an inflated structure takes the coarsest edge where no level keeps its promise: half
+/// of what offsets that halve come to on the last of `depth` levels, alpha D / (2 n) or less. Where the
+/// offsets shrink more slowly promises end farther out, and until here the edge of most slack is better.
+static inline double bmr_coarse_below(const bmr_inflation *inflation, uint32_t depth) {
+    return ldexp(inflation->first, -1 - (int)depth);
+}
+
+/// FD2's line across a direction (unit, A's frame, from A to B), that of the closest points, `gap` beyond the
+/// margin: of the body whose line lasts longer, and two corners for the other one. `spin`: the way B turns in
+/// A's frame, as far as known. `support` are vertices near the support vertices. O(log n).
+void bmr_free_direction_lay(const bmr_kds *kds, const bmr_instant *now, bmr_vec2 direction, double gap,
+                            int spin, const uint32_t support[2], bmr_windowed_line *line);
 
 #endif

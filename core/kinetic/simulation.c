@@ -407,10 +407,6 @@ double bmr_simulation_time(const bmr_simulation *s) {
     return s->time;
 }
 
-double bmr_simulation_next(const bmr_simulation *s) {
-    return bmr_event_queue_time(&s->queue);
-}
-
 size_t bmr_simulation_pair_count(const bmr_simulation *s) {
     return s->pair_count;
 }

@@ -177,7 +177,3 @@ bmr_error bmr_world_advance(bmr_world *w, double until) {
 double bmr_world_time(const bmr_world *w) {
     return w->time;
 }
-
-double bmr_world_next(const bmr_world *w) {
-    return bmr_event_queue_time(&w->queue);
-}

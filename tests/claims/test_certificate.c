@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "boomerang/certificate.h"
 #include "checks.h"
-#include "kds/failing.h"
+#include "kds/structure.h"
 #include "motions.h"
 #include "polygons.h"
 

@@ -95,7 +95,7 @@ static void test_chain_destroy(test_chain *chain) {
         test_kds_body_destroy(&chain->body[i]);
 }
 
-/// ceil(log2(n + 1)): how deep the tree of a polygon of n edges is (kds/coarse_line.h).
+/// ceil(log2(n + 1)): how deep the tree of a polygon of n edges is (certificate/coarse.h).
 static unsigned test_tree_depth(const bmr_polygon *polygon) {
     unsigned depth = 0;
     while (((uint64_t)1 << depth) < (uint64_t)polygon->count + 1)

@@ -76,9 +76,6 @@ void bmr_simulation_destroy(bmr_simulation *simulation);
 bmr_error bmr_simulation_run(bmr_simulation *simulation, double until);
 #define BMR_SIMULATION_BURST 1000
 double bmr_simulation_time(const bmr_simulation *simulation);
-/// Nothing happens before this time: the time of the next event if it is known, or just after the latest
-/// `until`.
-double bmr_simulation_next(const bmr_simulation *simulation);
 
 /// Call this after the motion of `body` was changed (bmr_motion_change) from the present time on. It
 /// recomputes the failure times of that body's pairs, and of no other, as far as any run went. If the pose

@@ -267,8 +267,6 @@ typedef struct bmr_world_trouble {
 bmr_world_trouble bmr_world_get_trouble(const bmr_world *world);
 
 double bmr_world_time(const bmr_world *world);
-/// Nothing happens before this time; INFINITY: nothing ever happens.
-double bmr_world_next(const bmr_world *world);
 
 // ---- questions ----
 
