@@ -265,15 +265,17 @@ static void suppose_rates(bmr_instant *now, const bmr_condition *failed) {
         now->velocity = of_a ? bmr_neg(failed->normal) : bmr_rotate(&now->pose, failed->normal);
 }
 
+static double speed_of(const cell_state *s, const bmr_instant *now) {
+    return hypot(now->velocity.x, now->velocity.y) + fabs(now->spin) * s->held.scale;
+}
+
 /// B's pose a little after `now`. If the failed condition is still positive and falls, that is after it has
 /// come to zero, where this is near enough.
 static bmr_pose look_ahead(const cell_state *s, const bmr_instant *now, const bmr_condition *failed) {
     bmr_instant then = *now;
-    double speed = hypot(now->velocity.x, now->velocity.y) + fabs(now->spin) * s->held.scale;
-    if (failed && !(speed > 0.0)) {
+    if (failed && !(speed_of(s, now) > 0.0))
         suppose_rates(&then, failed);
-        speed = hypot(then.velocity.x, then.velocity.y) + fabs(then.spin) * s->held.scale;
-    }
+    const double speed = speed_of(s, &then);
     double time = speed > 0.0 ? AHEAD * s->held.scale / speed : 0.0;
     if (failed && speed > 0.0) {
         const double value = bmr_condition_value(failed, &now->pose),

@@ -62,6 +62,25 @@ TEST(an_early_repair_reports_none_and_changes_nothing) {
     }
 }
 
+/// The last condition of a tangent, and of no features, is that of its length.
+TEST(an_inner_tangent_gives_way_to_features_where_its_points_are_too_near) {
+    // Edges are shorter than the least length, and so are tangents near the margin.
+    own_kds_body a = regular(BMR_MAX_VERTICES), b = regular(BMR_MAX_VERTICES);
+    const bmr_kds_def def = bmr_default_kds_def();
+    for (int far = 1; far >= 0; --far) {
+        own_kds *kds = made_kds(test_structure("inner-tangent"), &def, &a.shape, &b.shape);
+        const bmr_instant now = at_gap(&a, &b, def.margin + (far ? 0.1 : 1e-9));
+        bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
+        bmr_kds_report report;
+        bmr_kds_start(kds, &now, &report);
+        assert_true(report.apart);
+        const size_t count = bmr_kds_conditions(kds, conditions);
+        assert_int_equal(conditions[count - 1].kind == BMR_CONDITION_DISKS, far);
+        for (size_t k = 0; k < count; ++k)
+            assert_true(bmr_condition_value(&conditions[k], &now.pose) > 0.0);
+    }
+}
+
 TEST(contact_is_left_beyond_margin_and_hysteresis_only) {
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         own_kds_body a = regular(24), b = other_body(i, 16);
