@@ -49,7 +49,7 @@ static bmr_error add_body(play_crowd *crowd, size_t index, size_t columns, uint6
     bmr_error error = bmr_motion_create(&piece, NULL, &motion);
     if (error != BMR_OK)
         return error;
-    const bmr_shape shape = play_body_shape(crowd->shapes[index % BMR_OUTLINE_COUNT]);
+    const bmr_shape shape = play_body_shape(crowd->shapes[index % BMR_NGON_COUNT]);
     const bmr_body_def def = bmr_default_body_def(&shape, motion);
     bmr_body body;
     error = bmr_world_add(crowd->world, &def, &body);
@@ -60,8 +60,8 @@ static bmr_error add_body(play_crowd *crowd, size_t index, size_t columns, uint6
 static bmr_error open_crowd(play_crowd *crowd) {
     const play_crowd_def *def = &crowd->def;
     bmr_error error = BMR_OK;
-    for (int outline = 0; outline < BMR_OUTLINE_COUNT && error == BMR_OK; ++outline) {
-        error = play_body_create_outline((bmr_outline)outline, def->corners, def->seed, 1.0,
+    for (int outline = 0; outline < BMR_NGON_COUNT && error == BMR_OK; ++outline) {
+        error = play_body_create_outline((bmr_ngon)outline, def->corners, def->seed, 1.0,
                                          &crowd->shapes[outline]);
         if (error != BMR_OK)
             break;
@@ -69,7 +69,7 @@ static bmr_error open_crowd(play_crowd *crowd) {
         const double scale = RADIUS / crowd->shapes[outline]->polygon->radius;
         play_body_destroy(crowd->shapes[outline]);
         crowd->shapes[outline] = NULL;
-        error = play_body_create_outline((bmr_outline)outline, def->corners, def->seed, scale,
+        error = play_body_create_outline((bmr_ngon)outline, def->corners, def->seed, scale,
                                          &crowd->shapes[outline]);
     }
     if (error != BMR_OK)
@@ -115,7 +115,7 @@ void play_crowd_destroy(play_crowd *crowd) {
     if (!crowd)
         return;
     bmr_world_destroy(crowd->world);
-    for (int outline = 0; outline < BMR_OUTLINE_COUNT; ++outline)
+    for (int outline = 0; outline < BMR_NGON_COUNT; ++outline)
         play_body_destroy(crowd->shapes[outline]);
     free(crowd);
 }

@@ -28,9 +28,9 @@ typedef struct play_flash {
 typedef struct play_crowd {
     play_crowd_def def;
     bmr_world *world;
-    play_body *shapes[BMR_OUTLINE_COUNT]; ///< the bodies' polygons, in turn
-    double side;                          ///< of the box, which begins at the origin
-    double energy;                        ///< at the beginning
+    play_body *shapes[BMR_NGON_COUNT]; ///< the bodies' polygons, in turn
+    double side;                       ///< of the box, which begins at the origin
+    double energy;                     ///< at the beginning
     uint64_t contacts;
     play_flash flashes[PLAY_FLASHES]; ///< a ring
     size_t flash_count;               ///< that there ever were

@@ -81,10 +81,10 @@ const char *play_family_name(int family) {
     return bmr_family_name((bmr_family)family);
 }
 int play_outline_count(void) {
-    return BMR_OUTLINE_COUNT;
+    return BMR_NGON_COUNT;
 }
 const char *play_outline_name(int outline) {
-    return bmr_outline_name((bmr_outline)outline);
+    return bmr_ngon_name((bmr_ngon)outline);
 }
 const char *play_event_name(int kind) {
     return bmr_kds_event_name((bmr_kds_event_kind)kind);
@@ -112,10 +112,9 @@ static bool is_body(int body) {
 
 int play_set_outline(play_page *page, int body, int outline, int n, double seed) {
     play_body *made;
-    if (!is_body(body) || n < 3 || outline < 0 || outline >= BMR_OUTLINE_COUNT)
+    if (!is_body(body) || n < 3 || outline < 0 || outline >= BMR_NGON_COUNT)
         return BMR_ERROR_OUT_OF_RANGE;
-    const bmr_error error =
-        play_body_create_outline((bmr_outline)outline, (size_t)n, seed_of(seed), 1.0, &made);
+    const bmr_error error = play_body_create_outline((bmr_ngon)outline, (size_t)n, seed_of(seed), 1.0, &made);
     if (error == BMR_OK)
         put_body(page, body, made);
     return (int)error;

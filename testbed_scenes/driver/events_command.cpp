@@ -46,7 +46,7 @@ std::vector<std::string> MotionNames() {
 }
 
 std::vector<std::string> ShapeNames() {
-    return NamesOf(BMR_OUTLINE_COUNT, [](size_t i) { return bmr_outline_name(static_cast<bmr_outline>(i)); });
+    return NamesOf(BMR_NGON_COUNT, [](size_t i) { return bmr_ngon_name(static_cast<bmr_ngon>(i)); });
 }
 
 /// What a word on the command line stands for: a group or one structure.
@@ -71,8 +71,8 @@ std::vector<const bmr_kds_info *> StructuresFor(const std::string &word) {
     return found;
 }
 
-bmr_outline OutlineFor(const std::string &word) {
-    return static_cast<bmr_outline>(IndexOf("shape", word, ShapeNames()));
+bmr_ngon OutlineFor(const std::string &word) {
+    return static_cast<bmr_ngon>(IndexOf("shape", word, ShapeNames()));
 }
 
 /// "LOW:HIGH" in factors of four, or "R1,R2,..".
@@ -260,13 +260,13 @@ void PrintGrowth(const std::vector<Run> &runs, bool colour) {
 /// The four qualities of a kinetic structure, over all runs.
 void PrintQualities(const std::vector<Run> &runs, bool colour) {
     Table table = {{"", "structure"},
-                 {"compact", "conditions"},
-                 {"compact", "bytes"},
-                 {"responsive: touched", "mean"},
-                 {"responsive: touched", "most"},
-                 {"local", "replanned"},
-                 {"efficient", "events/external"},
-                 {"hysteresis", "least rho"}};
+                   {"compact", "conditions"},
+                   {"compact", "bytes"},
+                   {"responsive: touched", "mean"},
+                   {"responsive: touched", "most"},
+                   {"local", "replanned"},
+                   {"efficient", "events/external"},
+                   {"hysteresis", "least rho"}};
     for (const bmr_kds_info *structure : StructuresOf(runs)) {
         const QualitySummary qualities = QualitiesOver(runs, structure);
         table.AddRow({{structure->name},

@@ -385,7 +385,7 @@ void AddWorld(CLI::App &app, Program &program) {
         ->add_option("--bodies", command.bodies, "How many (default: the scene's own, as of all that follow)")
         ->check(CLI::Range(2, 10000000));
     std::vector<std::string> shapes =
-        NamesOf(BMR_OUTLINE_COUNT, [](size_t i) { return bmr_outline_name(static_cast<bmr_outline>(i)); });
+        NamesOf(BMR_NGON_COUNT, [](size_t i) { return bmr_ngon_name(static_cast<bmr_ngon>(i)); });
     shapes.insert(shapes.begin(), "mixed");
     world->add_option("--shape", command.shape, "Outline of the polygons; mixed: all in turn")
         ->check(CLI::IsMember(shapes));

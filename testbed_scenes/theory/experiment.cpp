@@ -8,9 +8,9 @@
 namespace testbed {
 namespace {
 
-std::vector<bmr_vec2> OutlinePoints(bmr_outline outline, size_t n, uint64_t seed) {
+std::vector<bmr_vec2> OutlinePoints(bmr_ngon outline, size_t n, uint64_t seed) {
     std::vector<bmr_vec2> points(n);
-    Require(bmr_outline_points(outline, n, seed, points.data()), "the outline");
+    Require(bmr_ngon_points(outline, n, seed, points.data()), "the outline");
     return points;
 }
 

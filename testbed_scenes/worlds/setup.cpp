@@ -164,12 +164,12 @@ std::vector<WorldScene> MakeScenes() {
 }
 
 /// Points of an outline about their centre of mass, in a disk of the given radius about that.
-std::vector<bmr_vec2> CentredPoints(bmr_outline outline, size_t vertices, uint64_t seed, double radius) {
+std::vector<bmr_vec2> CentredPoints(bmr_ngon outline, size_t vertices, uint64_t seed, double radius) {
     std::vector<bmr_vec2> points(vertices);
-    Require(bmr_outline_points(outline, vertices, seed, points.data()), bmr_outline_name(outline));
+    Require(bmr_ngon_points(outline, vertices, seed, points.data()), bmr_ngon_name(outline));
     const Body rough(points, Body::Hierarchies::None);
     bmr_mass mass;
-    Require(bmr_polygon_mass(rough.Polygon(), &mass), bmr_outline_name(outline));
+    Require(bmr_polygon_mass(rough.Polygon(), &mass), bmr_ngon_name(outline));
     double reach = 0.0;
     for (bmr_vec2 &point : points) {
         point = bmr_sub(point, mass.centroid);
@@ -180,11 +180,11 @@ std::vector<bmr_vec2> CentredPoints(bmr_outline outline, size_t vertices, uint64
     return points;
 }
 
-bmr_outline OutlineOf(const WorldChoice &choice, size_t index) {
-    for (int outline = 0; outline < BMR_OUTLINE_COUNT; ++outline)
-        if (choice.shape == bmr_outline_name(static_cast<bmr_outline>(outline)))
-            return static_cast<bmr_outline>(outline);
-    return static_cast<bmr_outline>(index % BMR_OUTLINE_COUNT);
+bmr_ngon OutlineOf(const WorldChoice &choice, size_t index) {
+    for (int outline = 0; outline < BMR_NGON_COUNT; ++outline)
+        if (choice.shape == bmr_ngon_name(static_cast<bmr_ngon>(outline)))
+            return static_cast<bmr_ngon>(outline);
+    return static_cast<bmr_ngon>(index % BMR_NGON_COUNT);
 }
 
 /// The largest and the smallest first; the others evenly on the scale of logarithms.

@@ -34,7 +34,7 @@ public:
 struct WorldChoice {
     std::string scene;
     size_t bodies = 0;
-    /// A name of bmr_outline, or "mixed": all of them in turn.
+    /// A name of bmr_ngon, or "mixed": all of them in turn.
     std::string shape;
     size_t fewestVertices = 0, mostVertices = 0; ///< each body's number is drawn from between them
     double sizes = 1.0;                          ///< radius of the largest disk over the smallest; >= 1

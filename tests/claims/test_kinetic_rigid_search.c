@@ -41,8 +41,7 @@ typedef struct body_def {
 } body_def;
 
 static test_kds_body make_body(const body_def *def) {
-    static const bmr_outline plain[] = {BMR_OUTLINE_REGULAR, BMR_OUTLINE_LENS, BMR_OUTLINE_ELLIPSE,
-                                        BMR_OUTLINE_RANDOM};
+    static const bmr_ngon plain[] = {BMR_NGON_REGULAR, BMR_NGON_LENS, BMR_NGON_ELLIPSE, BMR_NGON_RANDOM};
     bmr_vec2 points[MOST_VERTICES + 2];
     size_t count = def->vertices;
     assert_true(count >= 3 && count <= MOST_VERTICES);
@@ -59,7 +58,7 @@ static test_kds_body make_body(const body_def *def) {
             points[i] = bmr_vec2_make(cos(angle) - ECCENTRICITY, 0.5 * sin(angle));
         }
     } else {
-        assert_int_equal(bmr_outline_points(plain[def->outline], count, 1, points), BMR_OK);
+        assert_int_equal(bmr_ngon_points(plain[def->outline], count, 1, points), BMR_OK);
     }
     test_move_points(points, count, def->phase, def->x, def->y);
     return test_kds_body_make(made_polygon(points, count));

@@ -11,7 +11,7 @@
 typedef struct stall {
     const char *structure;
     bmr_family family;
-    bmr_outline outline;
+    bmr_ngon outline;
     size_t n;
     double ratio;
     uint64_t seed;
@@ -51,8 +51,8 @@ static void follow(const stall *s) {
 /// rounding.
 TEST(sides_that_are_crossed_at_a_small_angle) {
     static const stall stalls[] = {
-        {"active-cell-compass", BMR_FAMILY_ORBIT, BMR_OUTLINE_REGULAR, 64, 300000.0, 1},
-        {"tiling-dudley", BMR_FAMILY_ORBIT, BMR_OUTLINE_REGULAR, 64, 300000.0, 1}};
+        {"active-cell-compass", BMR_FAMILY_ORBIT, BMR_NGON_REGULAR, 64, 300000.0, 1},
+        {"tiling-dudley", BMR_FAMILY_ORBIT, BMR_NGON_REGULAR, 64, 300000.0, 1}};
     for (size_t i = 0; i < sizeof stalls / sizeof *stalls; i++)
         follow(&stalls[i]);
 }

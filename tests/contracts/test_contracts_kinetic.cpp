@@ -580,17 +580,16 @@ TEST_CASE("boomerang/families.h") {
                                            ask.NotNull("motion of B", pair.comes), from, to, tolerance,
                                            ask.Result("result", &distance), &time));
     });
-    Row("bmr_outline_points", [](Asked &ask) {
+    Row("bmr_ngon_points", [](Asked &ask) {
         std::vector<bmr_vec2> points(65536);
         const CountGsl here(ask.Allocator());
-        for (int outline = 0; outline < (ask.IsForMemory() ? BMR_OUTLINE_COUNT : 1); ++outline) {
-            const auto kind =
-                ask.Or("an outline", ask.IsForMemory() ? bmr_outline(outline) : BMR_OUTLINE_LENS,
-                       {{BMR_OUTLINE_COUNT, BMR_ERROR_OUT_OF_RANGE}});
+        for (int outline = 0; outline < (ask.IsForMemory() ? BMR_NGON_COUNT : 1); ++outline) {
+            const auto kind = ask.Or("an outline", ask.IsForMemory() ? bmr_ngon(outline) : BMR_NGON_LENS,
+                                     {{BMR_NGON_COUNT, BMR_ERROR_OUT_OF_RANGE}});
             const size_t count = Count(ask.Number("points", 12, OutOfRange({2, 65536})));
             points[0] = {77.0, 77.0};
             const bmr_error error =
-                bmr_outline_points(kind, count, 7, ask.Result("place of the points", points.data()));
+                bmr_ngon_points(kind, count, 7, ask.Result("place of the points", points.data()));
             if (error != BMR_OK)
                 return ask.Says(error);
             ask.Made(points.data(), count * sizeof points[0]);
@@ -599,5 +598,5 @@ TEST_CASE("boomerang/families.h") {
     });
     CHECK(bmr_adversary_name(BMR_ADVERSARY_COUNT) == nullptr);
     CHECK(bmr_family_name(BMR_FAMILY_COUNT) == nullptr);
-    CHECK(bmr_outline_name(BMR_OUTLINE_COUNT) == nullptr);
+    CHECK(bmr_ngon_name(BMR_NGON_COUNT) == nullptr);
 }

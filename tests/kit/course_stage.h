@@ -9,10 +9,10 @@
 /// @file
 /// Two bodies and one motion of them from a family. In C.
 
-static inline bmr_polygon *outline(bmr_outline kind, size_t n, uint64_t seed) {
+static inline bmr_polygon *outline(bmr_ngon kind, size_t n, uint64_t seed) {
     bmr_vec2 *points = malloc(n * sizeof *points);
     assert_non_null(points);
-    assert_int_equal(bmr_outline_points(kind, n, seed, points), BMR_OK);
+    assert_int_equal(bmr_ngon_points(kind, n, seed, points), BMR_OK);
     bmr_polygon *polygon = made_polygon(points, n);
     free(points);
     return polygon;

@@ -12,9 +12,9 @@ extern "C" {
 #endif
 
 /// @file
-/// Families of motions of two polygons with a chosen least separation, and outlines to move on them. The
-/// paper's table of event bounds is measured on these. In boomerang::kinetic. The same seed gives the same
-/// bits everywhere (gsl_rng_mt19937).
+/// Families of motions of two polygons with a chosen least separation, and polygons of n points to move on
+/// them. The paper's table of event bounds is measured on these. In boomerang::kinetic. The same seed gives
+/// the same bits everywhere (gsl_rng_mt19937).
 
 typedef enum bmr_family {
     BMR_FAMILY_LINE,            ///< straight pass, no rotation
@@ -85,20 +85,20 @@ bmr_error bmr_least_distance(const bmr_polygon *a, const bmr_polygon *b, const b
                              const bmr_motion *motion_b, double from, double to, double tolerance,
                              double *distance, double *time);
 
-/// Outlines, all of diameter 2 or a little less, around the origin.
-typedef enum bmr_outline {
-    BMR_OUTLINE_REGULAR, ///< regular n-gon of circumradius 1, phase from the seed
-    BMR_OUTLINE_RANDOM,  ///< n random points on a 4:1 ellipse, turned: all are vertices
-    BMR_OUTLINE_LENS,    ///< two arcs of 60 degrees: two sharp corners
-    BMR_OUTLINE_ELLIPSE, ///< n points at equal eccentric angles on a 4:1 ellipse, turned
-    BMR_OUTLINE_DISC,    ///< regular n-gon of circumradius 1/2, phase from the seed
-    BMR_OUTLINE_COUNT
-} bmr_outline;
+/// Polygons of n points, all of diameter 2 or a little less, around the origin.
+typedef enum bmr_ngon {
+    BMR_NGON_REGULAR, ///< regular n-gon of circumradius 1, phase from the seed
+    BMR_NGON_RANDOM,  ///< n random points on a 4:1 ellipse, turned: all are vertices
+    BMR_NGON_LENS,    ///< two arcs of 60 degrees: two sharp corners
+    BMR_NGON_ELLIPSE, ///< n points at equal eccentric angles on a 4:1 ellipse, turned
+    BMR_NGON_DISC,    ///< regular n-gon of circumradius 1/2, phase from the seed
+    BMR_NGON_COUNT
+} bmr_ngon;
 /// "regular", "random", "lens", "ellipse", "disc"; NULL for anything else.
-const char *bmr_outline_name(bmr_outline outline);
-/// Fills `points` (room for n >= 3) with the outline's points. Errors: NULL_ARGUMENT, OUT_OF_RANGE (n < 3 or
-/// above BMR_MAX_VERTICES, no such outline), NO_MEMORY.
-bmr_error bmr_outline_points(bmr_outline outline, size_t n, uint64_t seed, bmr_vec2 *points);
+const char *bmr_ngon_name(bmr_ngon kind);
+/// Fills `points` (room for n >= 3) with the polygon's points. Errors: NULL_ARGUMENT, OUT_OF_RANGE (n < 3 or
+/// above BMR_MAX_VERTICES, no such kind), NO_MEMORY.
+bmr_error bmr_ngon_points(bmr_ngon kind, size_t n, uint64_t seed, bmr_vec2 *points);
 
 #ifdef __cplusplus
 }

@@ -16,7 +16,7 @@ def _names(function):
     return tuple(names)
 
 
-OUTLINES = _names(library.bmr_outline_name)
+OUTLINES = _names(library.bmr_ngon_name)
 FAMILIES = _names(library.bmr_family_name)
 
 
@@ -29,7 +29,7 @@ def _find(name, names, what):
 def outline(name, n, seed=1):
     """A polygon of n vertices and diameter about 2: "regular", "random", "lens", "ellipse" or "disc"."""
     points = (_c.vec2 * max(3, min(int(n), 1 << 17)))()
-    library.bmr_outline_points(_find(name, OUTLINES, "outline"), n, seed, points)
+    library.bmr_ngon_points(_find(name, OUTLINES, "outline"), n, seed, points)
     return Polygon(_c.point(p) for p in points[:n])
 
 

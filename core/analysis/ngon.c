@@ -11,9 +11,9 @@
 #define LENS_HALF_ANGLE (PI / 6.0)
 #define DISC_RADIUS 0.5
 
-const char *bmr_outline_name(bmr_outline outline) {
-    static const char *const names[BMR_OUTLINE_COUNT] = {"regular", "random", "lens", "ellipse", "disc"};
-    return (unsigned)outline < BMR_OUTLINE_COUNT ? names[outline] : NULL;
+const char *bmr_ngon_name(bmr_ngon kind) {
+    static const char *const names[BMR_NGON_COUNT] = {"regular", "random", "lens", "ellipse", "disc"};
+    return (unsigned)kind < BMR_NGON_COUNT ? names[kind] : NULL;
 }
 
 static void ellipse_points(size_t n, double major, double minor, double phase, bmr_vec2 *points) {
@@ -49,28 +49,28 @@ static void turn_points(size_t n, double angle, bmr_vec2 *points) {
         points[i] = bmr_rotate(&turn, points[i]);
 }
 
-bmr_error bmr_outline_points(bmr_outline outline, size_t n, uint64_t seed, bmr_vec2 *points) {
+bmr_error bmr_ngon_points(bmr_ngon kind, size_t n, uint64_t seed, bmr_vec2 *points) {
     if (!points)
         return BMR_ERROR_NULL_ARGUMENT;
-    if ((unsigned)outline >= BMR_OUTLINE_COUNT || n < 3 || n > BMR_MAX_VERTICES)
+    if ((unsigned)kind >= BMR_NGON_COUNT || n < 3 || n > BMR_MAX_VERTICES)
         return BMR_ERROR_OUT_OF_RANGE;
     gsl_rng *random = bmr_random_create(seed);
     if (!random)
         return BMR_ERROR_NO_MEMORY;
     const double phase = gsl_ran_flat(random, 0.0, 2.0 * PI), angle = gsl_ran_flat(random, 0.0, 2.0 * PI);
-    switch (outline) {
-    case BMR_OUTLINE_REGULAR:
+    switch (kind) {
+    case BMR_NGON_REGULAR:
         ellipse_points(n, 1.0, 1.0, phase, points);
         break;
-    case BMR_OUTLINE_RANDOM:
+    case BMR_NGON_RANDOM:
         random_points(n, random, points);
         turn_points(n, angle, points);
         break;
-    case BMR_OUTLINE_LENS:
+    case BMR_NGON_LENS:
         lens_points(n, points);
         turn_points(n, angle, points);
         break;
-    case BMR_OUTLINE_ELLIPSE:
+    case BMR_NGON_ELLIPSE:
         ellipse_points(n, 1.0, ELLIPSE_MINOR, phase, points);
         turn_points(n, angle, points);
         break;
