@@ -10,6 +10,7 @@
 #include <time.h>
 
 #include "boomerang/budget.h"
+#include "boomerang/distance.h"
 #include "boomerang/polygon.h"
 
 #define UNITS 65536.0 // of motion, a length: sums count in 1/65536
@@ -23,7 +24,7 @@ typedef struct body {
     bmr_pose pose;
     bmr_vec2 velocity;
     double spin;
-    bmr_vec2 center, corners[CORNERS]; // in the world, of this step
+    bmr_vec2 center; // in the world, of this step
 } body;
 
 typedef struct pair {
@@ -41,39 +42,14 @@ typedef struct world {
     unsigned long looks, renewals, contacts;
 } world;
 
-// From the segment pq to the point x.
-static bmr_vec2 to_point(bmr_vec2 p, bmr_vec2 q, bmr_vec2 x) {
-    const bmr_vec2 e = bmr_sub(q, p);
-    const double t = bmr_dot(bmr_sub(x, p), e) / bmr_dot(e, e);
-    return bmr_sub(x, bmr_add(p, bmr_scale(t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t, e)));
-}
-
-// The look: the distance of two bodies, 0 where they overlap, and the way from the nearest point of a to that
-// of b. (Not the largest separation along an edge: that may fall by more than the bodies move.)
-static double measure(const body *a, const body *b, bmr_vec2 *way) {
-    const bmr_vec2 *own = a->corners, *other = b->corners;
-    double sign = 1.0, least = (double)INFINITY;
-    bool separated = false;
-    *way = bmr_vec2_make(0.0, 0.0);
-    for (int turn = 0; turn < 2; ++turn) {
-        for (int i = 0; i < CORNERS; ++i) {
-            const bmr_vec2 p = own[i], q = own[(i + 1) % CORNERS];
-            bool all_outside = true;
-            for (int j = 0; j < CORNERS; ++j) {
-                const bmr_vec2 d = to_point(p, q, other[j]);
-                all_outside = all_outside && bmr_cross(bmr_sub(q, p), bmr_sub(other[j], p)) < 0.0;
-                if (bmr_dot(d, d) < least) {
-                    least = bmr_dot(d, d);
-                    *way = bmr_scale(sign, d);
-                }
-            }
-            separated = separated || all_outside;
-        }
-        own = b->corners;
-        other = a->corners;
-        sign = -1.0;
-    }
-    return separated ? sqrt(least) : 0.0;
+// The look: the distance of two bodies, 0 where they overlap, and the direction from the nearest point of a
+// to that of b. (Not the largest separation along an edge: that may fall by more than the bodies move.)
+static double measure(const body *a, const body *b, bmr_vec2 *direction) {
+    bmr_closest_points closest;
+    if (bmr_distance(a->shape, &a->pose, b->shape, &b->pose, &closest) != BMR_OK)
+        exit(2);
+    *direction = closest.normal;
+    return closest.distance;
 }
 
 // By how much the bounding disks are farther apart than the bodies must be: what is asked before a look.
@@ -106,8 +82,6 @@ static void move(const world *w, body *b) {
     q->c = c / length;
     q->s = s / length;
     b->center = bmr_transform(q, b->shape->center);
-    for (int i = 0; i < CORNERS; ++i)
-        b->corners[i] = bmr_transform(q, b->shape->vertices[i]);
 }
 
 static void step(world *w, bool with_budgets) {
@@ -132,16 +106,15 @@ static void step(world *w, bool with_budgets) {
         }
         if (slack <= 0.0) {
             ++w->looks;
-            bmr_vec2 way;
-            const double distance = measure(&w->body[p->a], &w->body[p->b], &way);
+            bmr_vec2 direction;
+            const double distance = measure(&w->body[p->a], &w->body[p->b], &direction);
             slack = distance - (MARGIN + SLOP);
             if (distance <= MARGIN) {
                 ++w->contacts;
                 collide(&w->body[p->a], &w->body[p->b]);
             } else if (with_budgets) {
-                // The nearest points separate the two: <way, b - a> >= |way|^2 for all their points. (Where
-                // bodies touch, the way is too short to tell a direction.)
-                p->line = bmr_budget_line_make(way, distance * (distance - SLOP), a, b, UNITS);
+                // The nearest points separate the two: <direction, b - a> >= distance for all their points.
+                p->line = bmr_budget_line_make(direction, distance - SLOP, a, b, UNITS);
             }
         }
         if (with_budgets)
