@@ -98,7 +98,6 @@ CORE = {
     "bmr_hierarchy_destroy": (None, c_void_p, c_void_p),
     "bmr_hierarchy_depth": (c_uint32, c_void_p),
     "bmr_hierarchy_edge_count": (c_uint32, c_void_p),
-    "bmr_default_pair_def": (pair_def,),
     "bmr_pair_advance": (c_int, POINTER(pair), POINTER(pair_def), POINTER(shape), POINTER(shape), POINTER(pose), POINTER(observer),
                          POINTER(c_double)),
     "bmr_pair_audit": (error, POINTER(pair), POINTER(pair_def), POINTER(shape), POINTER(shape), POINTER(pose)),
@@ -128,8 +127,6 @@ KINETIC = {
     "bmr_ngon_points": (error, c_int, c_size_t, c_uint64, POINTER(vec2)),
     "bmr_family_name": (c_char_p, c_int),
     "bmr_family_create": (error, POINTER(family_def), POINTER(polygon), POINTER(polygon), c_void_p, POINTER(family_motion)),
-    "bmr_least_distance": (error, POINTER(polygon), POINTER(polygon), c_void_p, c_void_p, c_double, c_double, c_double,
-                           POINTER(c_double), POINTER(c_double)),
     "bmr_offline_optimum": (error, POINTER(course), c_double, c_double, c_void_p, c_size_t, POINTER(optimum)),
     "bmr_fit_growth": (error, POINTER(c_double), POINTER(c_double), c_size_t, POINTER(growth)),
 }
