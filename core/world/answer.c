@@ -83,9 +83,9 @@ static bmr_world_body *by_birth(bmr_world_body *list) {
     return sorted;
 }
 
-static bmr_pose pose_of(const bmr_world *w, bmr_world_body *r, bmr_vec2 *velocity) {
-    const bmr_motion motion = bmr_motion_of_piece(&r->now);
-    return bmr_motion_pose(&motion, w->time, velocity, NULL);
+/// A motion may lead to no pose at all: a rational rotation whose denominator vanishes.
+static bool is_pose(const bmr_pose *q) {
+    return isfinite(q->position.x) && isfinite(q->position.y) && isfinite(q->c) && isfinite(q->s);
 }
 
 /// The velocity of the common centre of mass, or of who has an infinite one. False: two of those that go
@@ -95,10 +95,9 @@ static bool common_velocity(const bmr_world *w, bmr_world_body *first, bmr_vec2 
     bmr_vec2 momentum = {0.0, 0.0};
     bool fixed = false;
     for (bmr_world_body *r = first; r; r = next(r)) {
-        bmr_vec2 own;
-        const bmr_pose pose = pose_of(w, r, &own);
-        if (!isfinite(pose.position.x) || !isfinite(pose.position.y) || !isfinite(pose.c) ||
-            !isfinite(pose.s) || !isfinite(own.x) || !isfinite(own.y))
+        const bmr_instant now = bmr_piece_instant(&r->now.piece, w->time);
+        const bmr_vec2 own = now.velocity;
+        if (!is_pose(&now.pose) || !isfinite(own.x) || !isfinite(own.y))
             return false;
         if (isfinite(r->mass)) {
             mass += r->mass;
@@ -126,7 +125,8 @@ static bool stick(bmr_world *w, bmr_body_pair *c) {
         r->gathered = NULL;
         if (!can || (isinf(r->mass) && isinf(r->inertia)))
             continue;
-        const bmr_motion_piece piece = bmr_piece_screw(w->time, pose_of(w, r, NULL), velocity, 0.0);
+        const bmr_motion_piece piece =
+            bmr_piece_screw(w->time, bmr_piece_instant(&r->now.piece, w->time).pose, velocity, 0.0);
         bmr_body_move(w, r, &piece, INFINITY, NULL); // from where it is: no memory is asked for
     }
     w->sticking = false;
@@ -136,19 +136,14 @@ static bool stick(bmr_world *w, bmr_body_pair *c) {
 
 // ---- answers ----
 
-/// Both bodies' velocities, which an answer changes.
+/// Both bodies' poses, and their velocities, which an answer changes.
 typedef struct momentum {
-    bmr_pose pose[2];
-    bmr_vec2 velocity[2];
-    double spin[2];
+    bmr_instant of[2];
 } momentum;
 
 static momentum momentum_of(const bmr_world *w, const bmr_body_pair *c) {
-    momentum m;
-    for (int i = 0; i < 2; i++) {
-        const bmr_motion motion = bmr_motion_of_piece(&c->side[i]->now);
-        m.pose[i] = bmr_motion_pose(&motion, w->time, &m.velocity[i], &m.spin[i]);
-    }
+    const momentum m = {{bmr_piece_instant(&c->side[0]->now.piece, w->time),
+                         bmr_piece_instant(&c->side[1]->now.piece, w->time)}};
     return m;
 }
 
@@ -171,8 +166,8 @@ static void push(const bmr_body_pair *c, const bmr_touch *touch, size_t k, doubl
     const bmr_vec2 normal = touch->contact.normal;
     for (int body = 0; body < 2; body++) {
         const double own = body == 0 ? -impulse : impulse;
-        m->velocity[body] = bmr_add(m->velocity[body], bmr_scale(own / c->side[body]->mass, normal));
-        m->spin[body] += own * bmr_cross(touch->arm[body][k], normal) / c->side[body]->inertia;
+        m->of[body].velocity = bmr_add(m->of[body].velocity, bmr_scale(own / c->side[body]->mass, normal));
+        m->of[body].spin += own * bmr_cross(touch->arm[body][k], normal) / c->side[body]->inertia;
     }
 }
 
@@ -247,7 +242,7 @@ static bool collide(bmr_world *w, const bmr_body_pair *c, double restitution, bm
         push(c, touch, 0, impulse[0], m);
         if (two)
             push(c, touch, 1, impulse[1], m);
-        bmr_touch_move(touch, m->velocity, m->spin);
+        bmr_touch_move(touch, m->of);
         w->counts.impulses++;
         if (bounce > restitution) {
             const double kept = -(impulse[0] * before[0] + impulse[1] * before[1]);
@@ -266,17 +261,13 @@ static bmr_error set_momentum(bmr_world *w, bmr_body_pair *c, const momentum *m)
         bmr_world_body *const r = c->side[i];
         if (isinf(r->mass) && isinf(r->inertia))
             continue;
-        const bmr_motion_piece piece = bmr_piece_screw(w->time, m->pose[i], m->velocity[i], m->spin[i]);
+        const bmr_motion_piece piece =
+            bmr_piece_screw(w->time, m->of[i].pose, m->of[i].velocity, m->of[i].spin);
         const bmr_error error = bmr_body_move(w, r, &piece, INFINITY, NULL);
         if (error != BMR_OK || !w->busy) // the latter: its pose jumped, and the pair is gone
             return error;
     }
     return BMR_OK;
-}
-
-/// A motion may lead to no pose at all: a rational rotation whose denominator vanishes.
-static bool is_pose(const bmr_pose *q) {
-    return isfinite(q->position.x) && isfinite(q->position.y) && isfinite(q->c) && isfinite(q->s);
 }
 
 static bool makes_sense(const bmr_response *response) {
@@ -287,8 +278,8 @@ static bool makes_sense(const bmr_response *response) {
 
 static bmr_error answer(bmr_world *w, bmr_body_pair *c, const bmr_response *response, bmr_touch *touch) {
     momentum m = momentum_of(w, c);
-    bmr_touch_move(touch, m.velocity, m.spin); // a callback may have changed them
-    bool can = response->kind != BMR_RESPONSE_PASS && is_pose(&m.pose[0]) && is_pose(&m.pose[1]),
+    bmr_touch_move(touch, m.of); // a callback may have changed them
+    bool can = response->kind != BMR_RESPONSE_PASS && is_pose(&m.of[0].pose) && is_pose(&m.of[1].pose),
          changed = false;
     if (!can)
         return bmr_body_pair_pass(w, c);
@@ -297,7 +288,7 @@ static bmr_error answer(bmr_world *w, bmr_body_pair *c, const bmr_response *resp
     else if (response->kind == BMR_RESPONSE_STICK) {
         can = stick(w, c);
         m = momentum_of(w, c);
-        bmr_touch_move(touch, m.velocity, m.spin);
+        bmr_touch_move(touch, m.of);
     }
     if (!can)
         return bmr_body_pair_pass(w, c);
@@ -309,7 +300,7 @@ static bmr_error answer(bmr_world *w, bmr_body_pair *c, const bmr_response *resp
             bmr_body_pair_pass(w, c);
             return error;
         }
-        bmr_touch_move(touch, m.velocity, m.spin);
+        bmr_touch_move(touch, m.of);
     }
     const bmr_contact *contact = &touch->contact;
     return bmr_body_pair_resume(w, c, contact->placed, contact->approach[fastest(contact)]);

@@ -5,7 +5,8 @@
 #include "geometry/memory.h"
 #include "world/parts.h"
 
-void *bmr_world_take(bmr_world *w, size_t bytes) {
+void *bmr_world_take(void *world, size_t bytes) {
+    bmr_world *const w = world;
     void *block = bmr_allocate(w->allocator, bytes);
     if (block)
         w->counts.bytes += bytes;
@@ -14,58 +15,41 @@ void *bmr_world_take(bmr_world *w, size_t bytes) {
     return block;
 }
 
-void bmr_world_give(bmr_world *w, void *block, size_t bytes) {
+void bmr_world_give(void *world, void *block, size_t bytes) {
+    bmr_world *const w = world;
     w->counts.bytes -= bytes;
     bmr_release(w->allocator, block, bytes);
-}
-
-static void *take(void *context, size_t bytes) {
-    return bmr_world_take(context, bytes);
-}
-
-static void give(void *context, void *block, size_t bytes) {
-    bmr_world_give(context, block, bytes);
-}
-
-bmr_allocator bmr_world_allocator(bmr_world *w) {
-    const bmr_allocator counted = {take, give, w};
-    return counted;
 }
 
 // ---- trouble ----
 
 const char *bmr_trouble_describe(bmr_trouble trouble) {
-    switch (trouble) {
-    case BMR_TROUBLE_NONE:
-        return "nothing is wrong";
-    case BMR_TROUBLE_CONTACTS:
-        return "contact after contact, each nearer than the last, and no answer takes them apart: they rest "
-               "on each other, or others push them together, or the answer ends nothing; BMR_ZENO_ELASTIC, "
-               "more restitution or a larger margin helps";
-    case BMR_TROUBLE_REPAIRS:
-        return "their structure fails again as soon as it is repaired: take a larger margin, or another "
-               "structure";
-    case BMR_TROUBLE_PROOF:
-        return "they are apart by less than their structure can prove: take a larger margin, or another "
-               "structure";
-    case BMR_TROUBLE_SPEED:
-        return "so much way in one rounding of the time that contacts could be missed: take slower bodies, a "
-               "larger margin, or times nearer to 0";
-    case BMR_TROUBLE_PLACE:
-        return "so far away that there are no larger cells, or no digits left in its place: remove it, or "
-               "put "
-               "it back";
-    case BMR_TROUBLE_ANSWER:
-        return "the answer to their contact makes no sense: a restitution is from 0 to 1, and a response one "
-               "of bmr_response_kind";
-    case BMR_TROUBLE_EVENTS:
-        return "so many events as most_events allows have been in this call: call again to go on";
-    case BMR_TROUBLE_OTHER:
-        return "the error says what";
-    case BMR_TROUBLE_COUNT:
-        break;
-    }
-    return "not a trouble of this library";
+    static const char *const sentences[BMR_TROUBLE_COUNT] = {
+        [BMR_TROUBLE_NONE] = "nothing is wrong",
+        [BMR_TROUBLE_CONTACTS] =
+            "contact after contact, each nearer than the last, and no answer takes them apart: "
+            "they rest on each other, or others push them together, or the answer ends nothing; "
+            "BMR_ZENO_ELASTIC, more restitution or a larger margin helps",
+        [BMR_TROUBLE_REPAIRS] =
+            "their structure fails again as soon as it is repaired: take a larger margin, or "
+            "another structure",
+        [BMR_TROUBLE_PROOF] =
+            "they are apart by less than their structure can prove: take a larger margin, or "
+            "another structure",
+        [BMR_TROUBLE_SPEED] =
+            "so much way in one rounding of the time that contacts could be missed: take slower "
+            "bodies, a larger margin, or times nearer to 0",
+        [BMR_TROUBLE_PLACE] =
+            "so far away that there are no larger cells, or no digits left in its place: remove "
+            "it, or put it back",
+        [BMR_TROUBLE_ANSWER] =
+            "the answer to their contact makes no sense: a restitution is from 0 to 1, and a "
+            "response one of bmr_response_kind",
+        [BMR_TROUBLE_EVENTS] =
+            "so many events as most_events allows have been in this call: call again to go on",
+        [BMR_TROUBLE_OTHER] = "the error says what",
+    };
+    return (unsigned)trouble < BMR_TROUBLE_COUNT ? sentences[trouble] : "not a trouble of this library";
 }
 
 bmr_error bmr_world_stop(bmr_world *w, bmr_error error, bmr_trouble kind, bmr_body a, bmr_body b) {

@@ -81,13 +81,17 @@ static bool jumps(const bmr_world *w, const bmr_world_body *r, const bmr_motion_
 
 // ---- neighbours ----
 
+static bool has_grid(const bmr_world *w) {
+    return !w->def.all_pairs || w->def.boundary == BMR_PERIODIC;
+}
+
 /// Is a wall within the reach of a body in this cell?
 static bool wall_is_near(const bmr_world *w, int side, int level, int64_t column, int64_t row) {
     if (w->def.all_pairs)
         return true;
-    const double width = bmr_cell_width(w, level), height = bmr_cell_height(w, level);
+    const bmr_vec2 sizes = bmr_cell_size(w, level);
     const bool upright = side < 2;
-    const double size = upright ? width : height;
+    const double size = upright ? sizes.x : sizes.y;
     const double low = (double)(upright ? column : row) * size, high = low + size;
     const double line = side == 0   ? w->def.low.x
                         : side == 1 ? w->def.high.x
@@ -174,20 +178,26 @@ static void begin_pairs(bmr_world *w, bmr_body_pair *made) {
     }
 }
 
-/// Takes the body to a cell, with all that follows from that. NO_MEMORY: it stays.
-static bmr_error settle(bmr_world *w, bmr_world_body *r, int level, int64_t column, int64_t row) {
-    const bool grid = !w->def.all_pairs || w->def.boundary == BMR_PERIODIC;
-    bmr_cell *cell = NULL;
-    bmr_body_pair *made;
-    bmr_error error = grid ? bmr_grid_cell(w, level, column, row, &cell) : BMR_OK;
+/// All of a change of cell that may want memory: the cell, and the pairs that are missing there. `jumps`:
+/// none of the old pairs is kept. NO_MEMORY: as it was.
+static bmr_error prepare(bmr_world *w, bmr_world_body *r, int level, int64_t column, int64_t row, bool jumps,
+                         bmr_cell **cell, bmr_body_pair **made) {
+    *cell = NULL;
+    bmr_error error = has_grid(w) ? bmr_grid_cell(w, level, column, row, cell) : BMR_OK;
     if (error != BMR_OK)
         return error;
-    error = want_all(w, r, level, column, row, &made);
-    if (error != BMR_OK) {
-        bmr_grid_prune(w, cell);
-        return error;
-    }
-    if (grid && cell != r->cell) {
+    bmr_body_pair *const first = r->first;
+    if (jumps)
+        r->first = NULL;
+    error = want_all(w, r, level, column, row, made);
+    r->first = first;
+    if (error != BMR_OK)
+        bmr_grid_prune(w, *cell);
+    return error;
+}
+
+static void change_cell(bmr_world *w, bmr_world_body *r, bmr_cell *cell, int64_t column, int64_t row) {
+    if (cell) {
         cell->bodies++; // so that it is not given back with the old one
         bmr_cell_leave(w, r);
         cell->bodies--;
@@ -195,9 +205,19 @@ static bmr_error settle(bmr_world *w, bmr_world_body *r, int level, int64_t colu
     }
     r->column = column;
     r->row = row;
+}
+
+/// Takes the body to a cell, with all that follows from that. NO_MEMORY: it stays.
+static bmr_error settle(bmr_world *w, bmr_world_body *r, int level, int64_t column, int64_t row) {
+    bmr_cell *cell;
+    bmr_body_pair *made;
+    const bmr_error error = prepare(w, r, level, column, row, false, &cell, &made);
+    if (error != BMR_OK)
+        return error;
+    change_cell(w, r, cell != r->cell ? cell : NULL, column, row);
     let_go(w, r);
     begin_pairs(w, made);
-    if (grid)
+    if (has_grid(w))
         bmr_grid_lower(w);
     return BMR_OK;
 }
@@ -275,11 +295,8 @@ static double beyond(double cell, double place) {
 /// It is farther out of its cell than rounding of its place allows: no time lies between. (A motion that
 /// begins now may begin there.)
 static bool has_left(const bmr_world *w, const bmr_world_body *r, bmr_vec2 position) {
-    const bool periodic = w->def.boundary == BMR_PERIODIC;
-    const bmr_vec2 at = periodic ? bmr_sub(position, w->def.low) : position;
-    const int level = r->cell->level;
-    const double x = beyond((double)r->column, at.x / bmr_cell_width(w, level));
-    const double y = beyond((double)r->row, at.y / bmr_cell_height(w, level));
+    const bmr_vec2 at = bmr_grid_cells(w, r->cell->level, position);
+    const double x = beyond((double)r->column, at.x), y = beyond((double)r->row, at.y);
     return !(fmax(x, y) <= BMR_CELL_HYSTERESIS + CELL_OVERSHOOT);
 }
 
@@ -296,10 +313,9 @@ static bmr_error cross(bmr_world *w, bmr_world_body *r) {
     int64_t column, row;
     bmr_grid_place(w, level, position, &column, &row);
     if (level == r->cell->level) {
-        const bool periodic = w->def.boundary == BMR_PERIODIC;
-        const bmr_vec2 at = periodic ? bmr_sub(position, w->def.low) : position;
-        column = column_at(r->column, column, at.x / bmr_cell_width(w, level));
-        row = column_at(r->row, row, at.y / bmr_cell_height(w, level));
+        const bmr_vec2 at = bmr_grid_cells(w, level, position);
+        column = column_at(r->column, column, at.x);
+        row = column_at(r->row, row, at.y);
     }
     // So fast that a rounding of the time is a way through the hysteresis: on to the next time that there is.
     const bool stays = level == r->cell->level && column == r->column && row == r->row;
@@ -349,30 +365,13 @@ static bmr_error jump(bmr_world *w, bmr_world_body *r, const bmr_motion_piece *p
             return error;
         bmr_grid_place(w, level, position, &column, &row);
     }
-    // The cell is made first: all else can be done without memory, or later.
-    bmr_cell *cell = NULL;
+    bmr_cell *cell;
     bmr_body_pair *made;
-    bmr_error error = r->cell ? bmr_grid_cell(w, level, column, row, &cell) : BMR_OK;
+    const bmr_error error = prepare(w, r, level, column, row, true, &cell, &made);
     if (error != BMR_OK)
         return error;
-    bmr_body_pair *const first = r->first;
-    r->first = NULL; // none of the old ones is kept
-    error = want_all(w, r, level, column, row, &made);
-    r->first = first;
-    if (error != BMR_OK) {
-        bmr_grid_prune(w, cell);
-        return error;
-    }
-    if (cell)
-        cell->bodies++;
     forget_pairs(w, r);
-    bmr_cell_leave(w, r);
-    if (cell) {
-        cell->bodies--;
-        bmr_cell_enter(w, cell, r);
-    }
-    r->column = column;
-    r->row = row;
+    change_cell(w, r, cell, column, row);
     take(w, r, piece, until, plan);
     begin_pairs(w, made);
     search_later(w, r, w->time);

@@ -30,12 +30,8 @@ static double narrower(const bmr_world *w) {
     return fmin(w->unit_x, w->unit_y);
 }
 
-double bmr_cell_width(const bmr_world *w, int level) {
-    return ldexp(w->unit_x, level);
-}
-
-double bmr_cell_height(const bmr_world *w, int level) {
-    return ldexp(w->unit_y, level);
+bmr_vec2 bmr_cell_size(const bmr_world *w, int level) {
+    return bmr_vec2_make(ldexp(w->unit_x, level), ldexp(w->unit_y, level));
 }
 
 static bmr_vec2 grid_origin(const bmr_world *w) {
@@ -65,10 +61,23 @@ bmr_error bmr_grid_level(const bmr_world *w, double radius, bmr_vec2 position, i
     return BMR_OK;
 }
 
+bmr_vec2 bmr_grid_cells(const bmr_world *w, int level, bmr_vec2 position) {
+    const bmr_vec2 at = bmr_sub(position, grid_origin(w)), size = bmr_cell_size(w, level);
+    return bmr_vec2_make(at.x / size.x, at.y / size.y);
+}
+
 void bmr_grid_place(const bmr_world *w, int level, bmr_vec2 position, int64_t *column, int64_t *row) {
-    const bmr_vec2 at = bmr_sub(position, grid_origin(w));
-    *column = (int64_t)floor(at.x / bmr_cell_width(w, level));
-    *row = (int64_t)floor(at.y / bmr_cell_height(w, level));
+    const bmr_vec2 at = bmr_grid_cells(w, level, position);
+    *column = (int64_t)floor(at.x);
+    *row = (int64_t)floor(at.y);
+}
+
+void bmr_cell_box(const bmr_world *w, int level, int64_t column, int64_t row, double room, bmr_vec2 *low,
+                  bmr_vec2 *high) {
+    const bmr_vec2 size = bmr_cell_size(w, level), base = grid_origin(w);
+    const double x = (double)column, y = (double)row;
+    *low = bmr_vec2_make(base.x + (x - room) * size.x, base.y + (y - room) * size.y);
+    *high = bmr_vec2_make(base.x + (x + 1.0 + room) * size.x, base.y + (y + 1.0 + room) * size.y);
 }
 
 // ---- the table ----

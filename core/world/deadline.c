@@ -447,8 +447,8 @@ static interval straight_within(const bmr_world *w, const bmr_body_pair *c, doub
 
 // ---- both ----
 
-static bmr_error next_change(const bmr_world *w, const bmr_body_pair *c, bool meets, double after,
-                             double *time, bool *look) {
+bmr_error bmr_disks_next(const bmr_world *w, const bmr_body_pair *c, bool meets, double after, double *time,
+                         bool *look) {
     const double reach = bmr_disks_reach(w, c), epoch = epoch_of(c);
     if (!isfinite(reach))
         return BMR_ERROR_NOT_FINITE;
@@ -468,14 +468,6 @@ static bmr_error next_change(const bmr_world *w, const bmr_body_pair *c, bool me
     return BMR_OK;
 }
 
-bmr_error bmr_disks_meet(const bmr_world *w, const bmr_body_pair *c, double after, double *time, bool *look) {
-    return next_change(w, c, true, after, time, look);
-}
-
-bmr_error bmr_disks_part(const bmr_world *w, const bmr_body_pair *c, double after, double *time, bool *look) {
-    return next_change(w, c, false, after, time, look);
-}
-
 // ---- cells ----
 
 /// When x + v (t - origin) leaves [low, high], not before `after`.
@@ -487,13 +479,8 @@ static double leaves(double x, double velocity, double origin, double low, doubl
 
 bmr_error bmr_body_leaves_cell(const bmr_world *w, const bmr_world_body *r, double after, double *time,
                                bool *look) {
-    const int level = r->cell->level;
-    const double width = bmr_cell_width(w, level), height = bmr_cell_height(w, level);
-    const bmr_vec2 base = w->def.boundary == BMR_PERIODIC ? w->def.low : bmr_vec2_make(0.0, 0.0);
-    const bmr_vec2 low = bmr_vec2_make(base.x + ((double)r->column - BMR_CELL_HYSTERESIS) * width,
-                                       base.y + ((double)r->row - BMR_CELL_HYSTERESIS) * height);
-    const bmr_vec2 high = bmr_vec2_make(base.x + ((double)r->column + 1.0 + BMR_CELL_HYSTERESIS) * width,
-                                        base.y + ((double)r->row + 1.0 + BMR_CELL_HYSTERESIS) * height);
+    bmr_vec2 low, high;
+    bmr_cell_box(w, r->cell->level, r->column, r->row, BMR_CELL_HYSTERESIS, &low, &high);
     const bmr_motion_piece *piece = &r->now.piece;
     *look = false;
     // Motions that go on from each other up to rounding may add that up.
@@ -509,5 +496,6 @@ bmr_error bmr_body_leaves_cell(const bmr_world *w, const bmr_world_body *r, doub
                      leaves(at.y, velocity.y, piece->origin, low.y, high.y, after));
         return isnan(*time) ? BMR_ERROR_NOT_FINITE : BMR_OK;
     }
-    return curve_leaves(w, piece, low, high, fmin(width, height), after, time, look);
+    const bmr_vec2 size = bmr_cell_size(w, r->cell->level);
+    return curve_leaves(w, piece, low, high, fmin(size.x, size.y), after, time, look);
 }

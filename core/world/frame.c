@@ -226,11 +226,11 @@ static bool facing(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b
     return true;
 }
 
-void bmr_touch_move(bmr_touch *touch, const bmr_vec2 velocity[2], const double spin[2]) {
+void bmr_touch_move(bmr_touch *touch, const bmr_instant now[2]) {
     bmr_contact *const contact = &touch->contact;
     for (size_t k = 0; k < contact->count; k++) {
-        const bmr_vec2 a = bmr_add(velocity[0], bmr_scale(spin[0], bmr_left(touch->arm[0][k])));
-        const bmr_vec2 b = bmr_add(velocity[1], bmr_scale(spin[1], bmr_left(touch->arm[1][k])));
+        const bmr_vec2 a = bmr_add(now[0].velocity, bmr_scale(now[0].spin, bmr_left(touch->arm[0][k])));
+        const bmr_vec2 b = bmr_add(now[1].velocity, bmr_scale(now[1].spin, bmr_left(touch->arm[1][k])));
         contact->velocity[k] = bmr_sub(b, a);
         contact->approach[k] = bmr_dot(contact->normal, contact->velocity[k]);
     }
@@ -248,16 +248,11 @@ void bmr_touch_describe(const bmr_world *w, const bmr_body_pair *c, bool placed,
     contact->count = 1;
     bmr_pair_view view;
     const bmr_pair_motion motion = bmr_body_pair_motion(w, c, &view);
-    const bmr_pose seen_a = bmr_motion_pose(motion.a, w->time, NULL, NULL);
-    const bmr_pose seen_b = bmr_motion_pose(motion.b, w->time, NULL, NULL);
+    const bmr_pose seen_a = bmr_motion_pose(motion.a, w->time, NULL, NULL),
+                   seen_b = bmr_motion_pose(motion.b, w->time, NULL, NULL);
     const bmr_pose b_in_a = bmr_pose_relative(&seen_a, &seen_b);
-    bmr_vec2 velocity[2];
-    double spin[2];
-    bmr_pose poses[2]; // in the world
-    for (int i = 0; i < 2; i++) {
-        const bmr_motion own = bmr_motion_of_piece(&c->side[i]->now);
-        poses[i] = bmr_motion_pose(&own, w->time, &velocity[i], &spin[i]);
-    }
+    const bmr_instant now[2] = {bmr_piece_instant(&c->side[0]->now.piece, w->time),
+                                bmr_piece_instant(&c->side[1]->now.piece, w->time)};
 
     bmr_closest_points closest;
     bmr_overlap overlap;
@@ -274,14 +269,14 @@ void bmr_touch_describe(const bmr_world *w, const bmr_body_pair *c, bool placed,
     const double room = FACING_PART * w->def.kds.margin;
     if (contact->distance > 0.0 && facing(motion.shape_a, motion.shape_b, &b_in_a, normal, room, points))
         contact->count = 2;
-    contact->normal = bmr_rotate(&poses[0], normal);
+    contact->normal = bmr_rotate(&now[0].pose, normal);
     // Arms from what lies between the two: bodies far from the origin keep their digits. (A wall's arm is
     // that of the segment beside the body; a wall does not turn.)
     const bmr_vec2 way = bmr_sub(seen_b.position, seen_a.position);
     for (size_t k = 0; k < contact->count; k++) {
-        touch->arm[0][k] = bmr_rotate(&poses[0], points[k]);
+        touch->arm[0][k] = bmr_rotate(&now[0].pose, points[k]);
         touch->arm[1][k] = bmr_sub(touch->arm[0][k], way);
-        contact->points[k] = bmr_add(poses[0].position, touch->arm[0][k]);
+        contact->points[k] = bmr_add(now[0].pose.position, touch->arm[0][k]);
     }
-    bmr_touch_move(touch, velocity, spin);
+    bmr_touch_move(touch, now);
 }

@@ -77,7 +77,7 @@ static bmr_error search_disks(bmr_world *w, bmr_body_pair *c) {
     double time;
     bool look;
     w->counts.disk_times++;
-    const bmr_error error = bmr_disks_meet(w, c, w->time, &time, &look);
+    const bmr_error error = bmr_disks_next(w, c, true, w->time, &time, &look);
     if (error == BMR_OK)
         schedule(w, c, look ? BMR_DUE_LOOK : BMR_DUE_MEET, time);
     return disks_error(w, c, error);
@@ -91,7 +91,7 @@ static bmr_error find_part(bmr_world *w, bmr_body_pair *c) {
     w->counts.disk_times++;
     bool look;
     const double after = fmax(w->time, n->from);
-    bmr_error error = bmr_disks_part(w, c, after, &n->part, &look);
+    bmr_error error = bmr_disks_next(w, c, false, after, &n->part, &look);
     // Who parts as soon as they meet would meet again, and so on: a loop, or a contact that nobody saw.
     if (error == BMR_OK && !look && n->part <= after &&
         bmr_disks_distance(w, c, after) <= bmr_disks_reach(w, c))

@@ -176,10 +176,9 @@ static inline double bmr_world_tolerance(const bmr_world *w, double time) {
 
 // base.c: memory, trouble, observers.
 
-void *bmr_world_take(bmr_world *w, size_t bytes);
-void bmr_world_give(bmr_world *w, void *block, size_t bytes);
-/// The same two, for whom wants an allocator.
-bmr_allocator bmr_world_allocator(bmr_world *w);
+/// The functions of world.counted, whose context is the world.
+void *bmr_world_take(void *world, size_t bytes);
+void bmr_world_give(void *world, void *block, size_t bytes);
 /// Notes what is wrong, and returns the error. `b`: BMR_NO_BODY.
 bmr_error bmr_world_stop(bmr_world *w, bmr_error error, bmr_trouble kind, bmr_body a, bmr_body b);
 static inline bmr_error bmr_body_pair_stop(bmr_world *w, const bmr_body_pair *c, bmr_error error,
@@ -205,8 +204,13 @@ void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_world_body *r);
 void bmr_cell_leave(bmr_world *w, bmr_world_body *r);
 /// Gives the top levels back that no body has needed for long.
 void bmr_grid_lower(bmr_world *w);
-double bmr_cell_width(const bmr_world *w, int level);
-double bmr_cell_height(const bmr_world *w, int level);
+bmr_vec2 bmr_cell_size(const bmr_world *w, int level);
+/// A place in cells of a level, from the grid's origin.
+bmr_vec2 bmr_grid_cells(const bmr_world *w, int level, bmr_vec2 position);
+/// The corners of a cell that is larger by a part `room` of it on each side: counted on in a periodic box,
+/// where it is that of a body.
+void bmr_cell_box(const bmr_world *w, int level, int64_t column, int64_t row, double room, bmr_vec2 *low,
+                  bmr_vec2 *high);
 /// Fills world.candidates with the bodies whose cells are neighbours of this one, `r` itself left out.
 bmr_error bmr_grid_candidates(bmr_world *w, const bmr_world_body *r, int level, int64_t column, int64_t row);
 /// Part of a cell's side that is added on each of its sides before a body leaves it.
@@ -245,8 +249,8 @@ typedef struct bmr_touch {
     bmr_vec2 arm[2][2]; ///< of the point [1] from the origin of body [0]
 } bmr_touch;
 void bmr_touch_describe(const bmr_world *w, const bmr_body_pair *c, bool placed, bmr_touch *touch);
-/// Fills in velocities and approaches: of these of A and B.
-void bmr_touch_move(bmr_touch *touch, const bmr_vec2 velocity[2], const double spin[2]);
+/// Fills in velocities and approaches: from those of A and B.
+void bmr_touch_move(bmr_touch *touch, const bmr_instant now[2]);
 
 // deadline.c: when disks meet and part, and when they leave their cells.
 
@@ -258,10 +262,10 @@ void bmr_touch_move(bmr_touch *touch, const bmr_vec2 velocity[2], const double s
 double bmr_disks_reach(const bmr_world *w, const bmr_body_pair *c);
 /// The distance of the disks' centres, or of the disk's centre from the wall's line.
 double bmr_disks_distance(const bmr_world *w, const bmr_body_pair *c, double time);
-/// The first time after `after` at which the disks meet (part); *look: not before that time, at which to ask
-/// again. A function of the two motions alone. Errors: NOT_FINITE.
-bmr_error bmr_disks_meet(const bmr_world *w, const bmr_body_pair *c, double after, double *time, bool *look);
-bmr_error bmr_disks_part(const bmr_world *w, const bmr_body_pair *c, double after, double *time, bool *look);
+/// The first time after `after` at which the disks meet, or part; *look: not before that time, at which to
+/// ask again. A function of the two motions alone. Errors: NOT_FINITE.
+bmr_error bmr_disks_next(const bmr_world *w, const bmr_body_pair *c, bool meets, double after, double *time,
+                         bool *look);
 /// When the body leaves its cell with the hysteresis, after `after`. Errors: those of bmr_failure_time.
 bmr_error bmr_body_leaves_cell(const bmr_world *w, const bmr_world_body *r, double after, double *time,
                                bool *look);

@@ -11,15 +11,6 @@ const char *bmr_world_event_name(bmr_world_event_kind kind) {
     return (unsigned)kind < BMR_WORLD_EVENT_KIND_COUNT ? names[kind] : NULL;
 }
 
-/// Of a cell's place: counted on in a periodic box, where it is that of a body.
-static void cell_box(const bmr_world *w, int level, int64_t column, int64_t row, bmr_vec2 *low,
-                     bmr_vec2 *high) {
-    const double width = bmr_cell_width(w, level), height = bmr_cell_height(w, level);
-    const bmr_vec2 base = w->def.boundary == BMR_PERIODIC ? w->def.low : bmr_vec2_make(0.0, 0.0);
-    *low = bmr_add(base, bmr_vec2_make((double)column * width, (double)row * height));
-    *high = bmr_add(base, bmr_vec2_make((double)(column + 1) * width, (double)(row + 1) * height));
-}
-
 bmr_error bmr_world_get(const bmr_world *w, bmr_body body, bmr_body_state *state) {
     if (!w || !state)
         return BMR_ERROR_NULL_ARGUMENT;
@@ -40,7 +31,7 @@ bmr_error bmr_world_get(const bmr_world *w, bmr_body body, bmr_body_state *state
     state->pairs = r->pairs;
     if (r->cell) {
         state->level = r->cell->level;
-        cell_box(w, r->cell->level, r->column, r->row, &state->cell_low, &state->cell_high);
+        bmr_cell_box(w, r->cell->level, r->column, r->row, 0.0, &state->cell_low, &state->cell_high);
     }
     return BMR_OK;
 }
@@ -90,7 +81,7 @@ void bmr_world_each_cell(const bmr_world *w, void (*visit)(void *context, const 
             bmr_world_cell cell;
             cell.level = c->level;
             cell.bodies = c->bodies;
-            cell_box(w, c->level, c->column, c->row, &cell.low, &cell.high);
+            bmr_cell_box(w, c->level, c->column, c->row, 0.0, &cell.low, &cell.high);
             visit(context, &cell);
         }
 }
@@ -137,11 +128,8 @@ bmr_world_totals bmr_world_get_totals(const bmr_world *w) {
 static bool in_cell(const bmr_world *w, const bmr_world_body *r) {
     if (!r->cell)
         return w->def.all_pairs && w->def.boundary != BMR_PERIODIC;
-    const bmr_vec2 position = bmr_path_position(&r->now.piece, w->time);
-    const bool periodic = w->def.boundary == BMR_PERIODIC;
-    const bmr_vec2 at = periodic ? bmr_sub(position, w->def.low) : position;
-    const double x = at.x / bmr_cell_width(w, r->cell->level) - (double)r->column;
-    const double y = at.y / bmr_cell_height(w, r->cell->level) - (double)r->row;
+    const bmr_vec2 at = bmr_grid_cells(w, r->cell->level, bmr_path_position(&r->now.piece, w->time));
+    const double x = at.x - (double)r->column, y = at.y - (double)r->row;
     const double room = BMR_CELL_HYSTERESIS + ROOM;
     return x >= -room && x <= 1.0 + room && y >= -room && y <= 1.0 + room;
 }

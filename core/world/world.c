@@ -101,7 +101,7 @@ bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allo
         return BMR_ERROR_NO_MEMORY;
     memset(w, 0, sizeof *w);
     w->allocator = allocator;
-    w->counted = bmr_world_allocator(w);
+    w->counted = (bmr_allocator){bmr_world_take, bmr_world_give, w};
     w->counts.bytes = w->counts.most_bytes = sizeof *w;
     w->def = *def;
     w->time = time;
