@@ -10,14 +10,9 @@ static bmr_error build(play_body *body, const bmr_vec2 *points, size_t count) {
         error = BMR_ERROR_TOO_FEW_POINTS;
     if (error == BMR_OK)
         error = bmr_compass_create(PLAY_MOST_CORNERS, NULL, &body->compass);
-    if (error == BMR_OK)
-        error = bmr_hierarchy_build_compass(body->polygon, body->compass, NULL,
-                                            &body->hierarchies[BMR_HIERARCHY_COMPASS]);
-    if (error == BMR_OK)
-        error = bmr_hierarchy_build_dudley(body->polygon, NULL, &body->hierarchies[BMR_HIERARCHY_DUDLEY]);
-    if (error == BMR_OK)
-        error = bmr_hierarchy_build_dobkin_kirkpatrick(body->polygon, NULL,
-                                                       &body->hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK]);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT && error == BMR_OK; ++kind)
+        error = bmr_hierarchy_build((bmr_hierarchy_kind)kind, body->polygon, body->compass, NULL,
+                                    &body->hierarchies[kind]);
     return error;
 }
 

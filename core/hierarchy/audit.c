@@ -156,14 +156,6 @@ static bool is_envelope(const audit *a, uint32_t level) {
     return edges == expected && turns == 1;
 }
 
-/// The depth each kind promises. A quadrant never holds all edges, so a balanced tree of them is no deeper
-/// than these.
-static bool is_shallow(const bmr_hierarchy *h) {
-    const uint32_t log = bmr_ceil_log2(h->polygon->count);
-    const uint32_t most[BMR_HIERARCHY_KIND_COUNT] = {compass_levels(h) + log, log + 1, log};
-    return h->depth <= most[h->kind];
-}
-
 bmr_error bmr_hierarchy_audit(const bmr_hierarchy *hierarchy) {
     if (!hierarchy)
         return BMR_ERROR_NULL_ARGUMENT;
@@ -171,7 +163,7 @@ bmr_error bmr_hierarchy_audit(const bmr_hierarchy *hierarchy) {
     if (error != BMR_OK)
         return error;
     if (hierarchy->stamp != hierarchy->polygon->stamp || hierarchy->count < BMR_ROOTS ||
-        hierarchy->kind >= BMR_HIERARCHY_KIND_COUNT || !is_shallow(hierarchy))
+        hierarchy->kind >= BMR_HIERARCHY_KIND_COUNT || hierarchy->depth > bmr_tree_most_levels(hierarchy))
         return BMR_ERROR_INVALID_STRUCTURE;
     const audit a = {hierarchy, AUDIT_ROUNDING * hierarchy->polygon->extent};
     uint32_t deepest = 0;

@@ -47,6 +47,10 @@ void bmr_items_start_at_east(bmr_item *items, uint32_t count);
 /// The hierarchy's one block. The median's levels take O(items), the compass's O(items + nodes log items).
 bmr_error bmr_build_tree(const bmr_build *build, const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
 
+/// The depth that the hierarchy's kind promises. A quadrant never holds all edges, so a balanced tree of them
+/// is no deeper than their logarithm.
+uint32_t bmr_tree_most_levels(const bmr_hierarchy *hierarchy);
+
 /// The smallest k with 2^k >= n, for n >= 1.
 uint32_t bmr_ceil_log2(uint32_t n);
 

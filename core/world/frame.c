@@ -41,19 +41,12 @@ void bmr_walls_make(bmr_world *w) {
 }
 
 static bmr_error build_hierarchy(bmr_world *w, const bmr_polygon *polygon, bmr_hierarchy **hierarchy) {
-    switch (w->def.structure->hierarchy) {
-    case BMR_HIERARCHY_COMPASS: {
-        const bmr_error error = w->compass ? BMR_OK : bmr_compass_create(2, &w->counted, &w->compass);
-        return error == BMR_OK ? bmr_hierarchy_build_compass(polygon, w->compass, &w->counted, hierarchy)
-                               : error;
-    }
-    case BMR_HIERARCHY_DUDLEY:
-        return bmr_hierarchy_build_dudley(polygon, &w->counted, hierarchy);
-    case BMR_HIERARCHY_DOBKIN_KIRKPATRICK:
-        return bmr_hierarchy_build_dobkin_kirkpatrick(polygon, &w->counted, hierarchy);
-    default:
+    if (w->def.structure->hierarchy < 0)
         return BMR_OK;
-    }
+    const bmr_hierarchy_kind kind = (bmr_hierarchy_kind)w->def.structure->hierarchy;
+    const bool makes = bmr_hierarchy_uses_compass(kind) && !w->compass;
+    const bmr_error error = makes ? bmr_compass_create(2, &w->counted, &w->compass) : BMR_OK;
+    return error == BMR_OK ? bmr_hierarchy_build(kind, polygon, w->compass, &w->counted, hierarchy) : error;
 }
 
 static void destroy(bmr_world *w, bmr_wall_segments *segments) {

@@ -24,14 +24,13 @@ Body::Body(const std::vector<bmr_vec2> &points, Hierarchies hierarchies) {
     bmr_compass *compass = nullptr;
     Require(bmr_compass_create(polygon->count, nullptr, &compass), "the compass");
     m_compass.reset(compass);
-    bmr_hierarchy *hierarchy = nullptr;
-    Require(bmr_hierarchy_build_compass(polygon, compass, nullptr, &hierarchy), "the compass hierarchy");
-    m_hierarchies[BMR_HIERARCHY_COMPASS].reset(hierarchy);
-    Require(bmr_hierarchy_build_dudley(polygon, nullptr, &hierarchy), "the Dudley hierarchy");
-    m_hierarchies[BMR_HIERARCHY_DUDLEY].reset(hierarchy);
-    Require(bmr_hierarchy_build_dobkin_kirkpatrick(polygon, nullptr, &hierarchy),
-            "the Dobkin-Kirkpatrick hierarchy");
-    m_hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK].reset(hierarchy);
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        bmr_hierarchy *hierarchy = nullptr;
+        Require(
+            bmr_hierarchy_build(static_cast<bmr_hierarchy_kind>(kind), polygon, compass, nullptr, &hierarchy),
+            "the hierarchy");
+        m_hierarchies[kind].reset(hierarchy);
+    }
     for (const bmr_hierarchy_kind kind : {BMR_HIERARCHY_COMPASS, BMR_HIERARCHY_DUDLEY}) {
         bmr_chains *chains = nullptr;
         Require(bmr_chains_create(m_hierarchies[kind].get(), nullptr, &chains), "the chains");

@@ -10,7 +10,7 @@
 
 static bmr_error build(bmr_hierarchy_kind kind, const bmr_polygon *p, const bmr_allocator *allocator,
                        bmr_hierarchy **h) {
-    return test_build_hierarchy(kind, p, compass, allocator, h);
+    return bmr_hierarchy_build(kind, p, compass, allocator, h);
 }
 
 static bmr_hierarchy *built_soundly(bmr_hierarchy_kind kind, const bmr_polygon *p) {

@@ -112,12 +112,9 @@ TEST(walls_work_with_every_structure) {
     bmr_hierarchy *hierarchies[BMR_HIERARCHY_KIND_COUNT];
     own_compass *compass;
     assert_int_equal(bmr_compass_create(4, NULL, &compass), BMR_OK);
-    assert_int_equal(bmr_hierarchy_build_compass(b, compass, NULL, &hierarchies[BMR_HIERARCHY_COMPASS]),
-                     BMR_OK);
-    assert_int_equal(bmr_hierarchy_build_dudley(b, NULL, &hierarchies[BMR_HIERARCHY_DUDLEY]), BMR_OK);
-    assert_int_equal(
-        bmr_hierarchy_build_dobkin_kirkpatrick(b, NULL, &hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK]),
-        BMR_OK);
+    for (int k = 0; k < BMR_HIERARCHY_KIND_COUNT; k++)
+        assert_int_equal(bmr_hierarchy_build((bmr_hierarchy_kind)k, b, compass, NULL, &hierarchies[k]),
+                         BMR_OK);
     bmr_shape shape = {.polygon = b};
     for (int k = 0; k < BMR_HIERARCHY_KIND_COUNT; k++)
         shape.hierarchies[k] = hierarchies[k];

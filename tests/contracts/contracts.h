@@ -235,10 +235,9 @@ struct Body {
 
     explicit Body(const std::vector<bmr_vec2> &points) : polygon(Polygon(points)) {
         bmr_compass_create(64, nullptr, &compass);
-        bmr_hierarchy_build_compass(polygon, compass, nullptr, &hierarchies[BMR_HIERARCHY_COMPASS]);
-        bmr_hierarchy_build_dudley(polygon, nullptr, &hierarchies[BMR_HIERARCHY_DUDLEY]);
-        bmr_hierarchy_build_dobkin_kirkpatrick(polygon, nullptr,
-                                               &hierarchies[BMR_HIERARCHY_DOBKIN_KIRKPATRICK]);
+        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
+            bmr_hierarchy_build(static_cast<bmr_hierarchy_kind>(kind), polygon, compass, nullptr,
+                                &hierarchies[kind]);
     }
     Body(const Body &) = delete;
     Body &operator=(const Body &) = delete;

@@ -136,6 +136,15 @@ TEST_CASE("boomerang/hierarchy.h, boomerang/inflated.h") {
             static_cast<uint32_t>(levels), ask.Allocator(), ask.Result("result", &made));
         return MadeHierarchy(ask, error, made, ask.Allocator());
     });
+    Row("bmr_hierarchy_build", [](Asked &ask) {
+        bmr_hierarchy *made = nullptr;
+        const double kind = ask.Number("kind", BMR_HIERARCHY_COMPASS,
+                                       Gives(BMR_ERROR_OUT_OF_RANGE, {-1, BMR_HIERARCHY_KIND_COUNT}));
+        const bmr_error error = bmr_hierarchy_build(
+            static_cast<bmr_hierarchy_kind>(static_cast<int>(kind)), ask.NotNull("polygon", Round().polygon),
+            ask.NotNull("compass", Round().compass), ask.Allocator(), ask.Result("result", &made));
+        return MadeHierarchy(ask, error, made, ask.Allocator());
+    });
     using Build = bmr_error (*)(const bmr_polygon *, const bmr_allocator *, bmr_hierarchy **);
     const std::pair<const char *, Build> builds[] = {
         {"bmr_hierarchy_build_dudley", bmr_hierarchy_build_dudley},

@@ -21,7 +21,7 @@ __attribute__((destructor)) static void drop_compass(void) {
 /// A hierarchy of the kind by malloc; one that cannot be built fails the test.
 static inline bmr_hierarchy *built(int kind, const bmr_polygon *polygon) {
     bmr_hierarchy *hierarchy = NULL;
-    assert_int_equal(test_build_hierarchy((bmr_hierarchy_kind)kind, polygon, compass, NULL, &hierarchy),
+    assert_int_equal(bmr_hierarchy_build((bmr_hierarchy_kind)kind, polygon, compass, NULL, &hierarchy),
                      BMR_OK);
     return hierarchy;
 }

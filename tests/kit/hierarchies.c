@@ -3,21 +3,11 @@
 
 #include <math.h>
 
-bmr_error test_build_hierarchy(bmr_hierarchy_kind kind, const bmr_polygon *polygon,
-                               const bmr_compass *compass, const bmr_allocator *allocator,
-                               bmr_hierarchy **hierarchy) {
-    if (kind == BMR_HIERARCHY_COMPASS)
-        return bmr_hierarchy_build_compass(polygon, compass, allocator, hierarchy);
-    if (kind == BMR_HIERARCHY_DUDLEY)
-        return bmr_hierarchy_build_dudley(polygon, allocator, hierarchy);
-    return bmr_hierarchy_build_dobkin_kirkpatrick(polygon, allocator, hierarchy);
-}
-
 static bool visit_kinds(const bmr_compass *compass, const bmr_polygon *p, test_family family,
                         test_random *random, test_visitor visit, void *context) {
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         bmr_hierarchy *h = NULL;
-        if (test_build_hierarchy((bmr_hierarchy_kind)kind, p, compass, NULL, &h) != BMR_OK)
+        if (bmr_hierarchy_build((bmr_hierarchy_kind)kind, p, compass, NULL, &h) != BMR_OK)
             return false;
         visit(h, family, random, context);
         bmr_hierarchy_destroy(h, NULL);

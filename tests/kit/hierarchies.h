@@ -9,11 +9,6 @@
 extern "C" {
 #endif
 
-/// A hierarchy of the kind by malloc; `compass` is asked for its directions only by the kind that uses it.
-bmr_error test_build_hierarchy(bmr_hierarchy_kind kind, const bmr_polygon *polygon,
-                               const bmr_compass *compass, const bmr_allocator *allocator,
-                               bmr_hierarchy **hierarchy);
-
 /// Shows a visitor one hierarchy of each kind for each family and size; `rounds` times, with other polygons
 /// each time. Returns false if something could not be built.
 typedef void (*test_visitor)(const bmr_hierarchy *hierarchy, test_family family, test_random *random,

@@ -36,13 +36,14 @@ static const bmr_compass *shared_compass(void) {
 
 test_kds_body test_kds_body_make(bmr_polygon *polygon) {
     test_kds_body body = {polygon, {NULL, NULL, NULL}, {.polygon = polygon}};
-    if (!polygon ||
-        bmr_hierarchy_build_compass(polygon, shared_compass(), NULL, &body.hierarchies[0]) != BMR_OK ||
-        bmr_hierarchy_build_dudley(polygon, NULL, &body.hierarchies[1]) != BMR_OK ||
-        bmr_hierarchy_build_dobkin_kirkpatrick(polygon, NULL, &body.hierarchies[2]) != BMR_OK)
+    if (!polygon)
         abort();
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+        if (bmr_hierarchy_build((bmr_hierarchy_kind)kind, polygon, shared_compass(), NULL,
+                                &body.hierarchies[kind]) != BMR_OK)
+            abort();
         body.shape.hierarchies[kind] = body.hierarchies[kind];
+    }
     return body;
 }
 

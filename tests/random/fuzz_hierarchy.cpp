@@ -250,7 +250,7 @@ const bmr_compass *Compass() {
 
 void FuzzOne(fuzz_bytes *bytes, const bmr_polygon *p, bmr_hierarchy_kind kind) {
     bmr_hierarchy *h = nullptr;
-    const bmr_error error = test_build_hierarchy(kind, p, Compass(), nullptr, &h);
+    const bmr_error error = bmr_hierarchy_build(kind, p, Compass(), nullptr, &h);
     FUZZ_CHECK(error == BMR_OK, "kind %d of %u vertices: error %d", kind, p->count, error);
     FUZZ_CHECK(bmr_hierarchy_audit(h) == BMR_OK, "kind %d of %u vertices: audit %d", kind, p->count,
                bmr_hierarchy_audit(h));
@@ -382,8 +382,8 @@ void FuzzMixed(fuzz_bytes *bytes, const bmr_polygon *a, bmr_hierarchy_kind kind)
         Scene s = {{a, b}, {nullptr, nullptr}, {}, a->extent + b->extent};
         bool built = true;
         for (int i = 0; i < 2; ++i)
-            built = built && test_build_hierarchy(kind, s.polygons[i], Compass(), nullptr,
-                                                  &s.hierarchies[i]) == BMR_OK;
+            built = built &&
+                    bmr_hierarchy_build(kind, s.polygons[i], Compass(), nullptr, &s.hierarchies[i]) == BMR_OK;
         FUZZ_CHECK(built, "no hierarchies");
         s.mixed = bmr_mixed_make(s.hierarchies[0], s.hierarchies[1], std::cos(angle), std::sin(angle), 0.0);
         bmr_mixed_tiling *tiling = nullptr;

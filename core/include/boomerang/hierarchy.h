@@ -82,6 +82,15 @@ bmr_error bmr_hierarchy_build_dudley(const bmr_polygon *polygon, const bmr_alloc
 /// edge. Depth at most ceil(log2 n), at most n + 4 edges. Cost, lifetime and errors as above.
 bmr_error bmr_hierarchy_build_dobkin_kirkpatrick(const bmr_polygon *polygon, const bmr_allocator *allocator,
                                                  bmr_hierarchy **hierarchy);
+/// Builds one of any kind, as the function of that kind does. `compass` is for kinds whose edges have the
+/// directions of its table, and may be NULL for others. Errors: OUT_OF_RANGE (no such kind), and those of the
+/// function.
+bmr_error bmr_hierarchy_build(bmr_hierarchy_kind kind, const bmr_polygon *polygon, const bmr_compass *compass,
+                              const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
+/// Does bmr_hierarchy_build need a compass for it?
+bool bmr_hierarchy_uses_compass(bmr_hierarchy_kind kind);
+/// "compass", "dudley", "dobkin-kirkpatrick"; NULL for anything else.
+const char *bmr_hierarchy_kind_name(bmr_hierarchy_kind kind);
 /// Copies a hierarchy over `polygon`: the one that it was built over, or another one of the same vertices
 /// (bmr_polygon_copy), which its stamp tells. The copy is one block of bmr_hierarchy_bytes(hierarchy),
 /// aligned for any type. `allocator` is asked for this one block and nothing else, so a block of known size

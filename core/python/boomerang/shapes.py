@@ -94,13 +94,13 @@ class Hierarchy:
     def __init__(self, polygon, kind):
         if kind not in _c.HIERARCHY_KINDS:
             raise ValueError(f"there is no hierarchy {kind!r}; there are {', '.join(_c.HIERARCHY_KINDS)}")
-        build = getattr(_c.core, "bmr_hierarchy_build_" + kind.replace("-", "_"))
+        number = _c.HIERARCHY_KINDS.index(kind)
         compass = ()
-        if kind == "compass":
+        if _c.core.bmr_hierarchy_uses_compass(number):
             table, where = _c.create(_c.core.bmr_compass_create, polygon.contents.count)
             compass = (_Compass(table, where),)
         self.kind = kind
-        self._c, where = _c.create(build, polygon, *(c._c for c in compass))
+        self._c, where = _c.create(_c.core.bmr_hierarchy_build, number, polygon, compass[0]._c if compass else None)
         _c.release_with(self, (compass, polygon), _c.core.bmr_hierarchy_destroy, self._c, where)
 
     @property

@@ -216,12 +216,7 @@ static double blocks_a_vertex(test_family family, size_t n, bmr_hierarchy_kind k
     assert_non_null(polygon);
     own_hierarchy *made = NULL;
     const uint64_t before = blocks;
-    if (kind == BMR_HIERARCHY_COMPASS)
-        assert_int_equal(bmr_hierarchy_build_compass(polygon, compass, NULL, &made), BMR_OK);
-    else if (kind == BMR_HIERARCHY_DUDLEY)
-        assert_int_equal(bmr_hierarchy_build_dudley(polygon, NULL, &made), BMR_OK);
-    else
-        assert_int_equal(bmr_hierarchy_build_dobkin_kirkpatrick(polygon, NULL, &made), BMR_OK);
+    assert_int_equal(bmr_hierarchy_build(kind, polygon, compass, NULL, &made), BMR_OK);
     const double each = (double)(blocks - before) / polygon->count;
     return each;
 }
