@@ -30,6 +30,7 @@ template <typename Tag, typename Type, Type Member> struct Naming {
 
 BMR_NAME_MEMBER(ShouldCollide, b2Body, ShouldCollide, bool (b2Body::*)(const b2Body *other) const);
 BMR_NAME_MEMBER(ContactList, b2Body, m_contactList, b2ContactEdge *b2Body::*);
+BMR_NAME_MEMBER(NextContact, b2Contact, m_next, b2Contact *b2Contact::*);
 BMR_NAME_MEMBER(NextBody, b2Body, m_next, b2Body *b2Body::*);
 BMR_NAME_MEMBER(BodyFlags, b2Body, m_flags, uint16 b2Body::*);
 BMR_NAME_MEMBER(IslandIndex, b2Body, m_islandIndex, int32 b2Body::*);

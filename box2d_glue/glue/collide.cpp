@@ -55,18 +55,18 @@ inline bool Persists(b2ContactManager *manager, b2Contact *contact, ListCounts *
     return true;
 }
 
-/// b2ContactManager::Collide by Box2D's list, contact by contact, from this one on.
+/// b2ContactManager::Collide by Box2D's list, contact by contact, from this one on. As in Box2D, a filter
+/// that breaks the rules may have destroyed the contact that it was asked about: its memory says which one is
+/// next.
 ListCounts CollideByList(b2ContactManager *manager, b2Contact *contact) {
     ListCounts counts;
     while (contact != nullptr) {
         ContactNumber::Prefetch(contact->GetNext());
-        if (Persists(manager, contact, &counts)) {
-            contact = contact->GetNext();
-        } else {
-            b2Contact *parted = contact;
-            contact = contact->GetNext();
-            EndContact(manager, parted);
-        }
+        b2Contact *const visited = contact;
+        const bool persists = Persists(manager, visited, &counts);
+        contact = visited->*Named(NextContact());
+        if (!persists)
+            EndContact(manager, visited);
     }
     return counts;
 }

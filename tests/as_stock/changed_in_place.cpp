@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A game changes polygons and places, between steps or inside one, and does not tell the library. Also shapes
 // of more than 8 vertices and pieces of outlines, on a ground of merged tiles and beside repaired outlines.
-#include <boomerang/box2d.h>
 #if defined(WITH_REPAIR)
 #    include <boomerang/repair.h>
 #endif
 
 #include "as_stock.h"
+#include "boomerang/convex_shape.h"
+#include "boomerang/outline_shape.h"
 
 using namespace as_stock;
 

@@ -29,7 +29,10 @@ void PlayRounded(Run &run, int mode, When when) {
     if (when == When::kListening)
         game.Listen();
     int calls = 0, rounded = 0;
-    game.listener.begin = [&calls, mode] { std::fesetround(++calls % 2 == 0 ? mode : FE_TONEAREST); };
+    game.listener.begin = [&run, &calls, mode] {
+        run.ChangesRounding();
+        std::fesetround(++calls % 2 == 0 ? mode : FE_TONEAREST);
+    };
     for (int step = 0; step < 150; ++step) {
         if (when == When::kLater && step == 40)
             std::fesetround(mode);
@@ -74,7 +77,10 @@ AS_STOCK_HOW(kMayBeSilent, "turned: PostSolve changes how a thread is rounded, a
         for (int i = 0; i < 60; ++i)
             game.Awake({0.93f * Real(i % 20), 4.0f * Real(i / 20)})->SetAngularVelocity(Real(i));
         game.Listen();
-        game.listener.postSolve = [mode] { std::fesetround(mode); };
+        game.listener.postSolve = [&run, mode] {
+            run.ChangesRounding();
+            std::fesetround(mode);
+        };
         int turned = 0;
         for (int step = 0; step < 4; ++step) {
             game.Step();

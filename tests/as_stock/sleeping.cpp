@@ -239,7 +239,10 @@ void PlayLapse(Run &run, Lapse lapse) {
     int met = 0;
     for (const float x : {0.0f, 0.99f}) // touch, so that a listener is called ahead of impacts
         game.Awake({x, 200.0f});
-    game.listener.postSolve = [] { std::fesetround(FE_UPWARD); };
+    game.listener.postSolve = [&run] {
+        run.ChangesRounding();
+        std::fesetround(FE_UPWARD);
+    };
     const auto sleep = [&] {
         for (b2Body *body : {bullet, pulling, one, other})
             body->SetAwake(false);

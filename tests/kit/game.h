@@ -118,7 +118,9 @@ private:
 class Game {
 public:
     explicit Game(Run &run, b2Vec2 gravity = b2Vec2(0.0f, 0.0f))
-        : listener(world, &hash), filter(&hash), world(gravity), m_run(run) {}
+        : listener(world, &hash), filter(&hash), world(gravity), m_run(run) {
+        run.BeginsWorld();
+    }
 
     void Listen() { world.SetContactListener(&listener); }
     void Ask() { world.SetContactFilter(&filter); }
