@@ -3,6 +3,7 @@
 // whole list.
 #include <boomerang/convex_shape.h>
 
+#include "random.h"
 #include "yard.h"
 
 using namespace as_stock;
@@ -110,10 +111,9 @@ AS_STOCK_HOW(kMayBeSilent, "sensors without skins lose each other, however deep 
     constexpr int kPairs = 60, kSteps = 200;
     constexpr float kCell = 0.05f, kFar = 100.0f;
     Heard game(run);
-    uint32_t state = 1;
-    const auto below = [&state](uint32_t count) {
-        state = 1664525u * state + 1013904223u;
-        return static_cast<int>((state >> 16) % count);
+    test_random random = {1};
+    const auto below = [&random](uint32_t count) {
+        return static_cast<int>(test_random_below(&random, count));
     };
     const auto cells = [](int count) { return kCell * Real(count); };
     struct Couple {

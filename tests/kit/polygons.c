@@ -6,21 +6,6 @@
 
 #define PI 3.14159265358979323846
 
-uint64_t test_random_next(test_random *random) {
-    uint64_t z = random->state += 0x9E3779B97F4A7C15u;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return z ^ (z >> 31);
-}
-
-double test_random_uniform(test_random *random, double low, double high) {
-    return low + (high - low) * ((double)(test_random_next(random) >> 11) * 0x1p-53);
-}
-
-uint32_t test_random_below(test_random *random, uint32_t bound) {
-    return (uint32_t)((test_random_next(random) >> 32) * bound >> 32);
-}
-
 const char *test_family_name(test_family family) {
     switch (family) {
     case TEST_REGULAR:

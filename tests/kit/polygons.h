@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "boomerang/polygon.h"
+#include "random.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -13,16 +14,6 @@ extern "C" {
 
 /// @file
 /// Polygons for tests and benchmarks: the same bits from the same seed on every run.
-
-/// A small generator (splitmix64). The state is the seed; any value will do.
-typedef struct test_random {
-    uint64_t state;
-} test_random;
-uint64_t test_random_next(test_random *random);
-/// In [low, high).
-double test_random_uniform(test_random *random, double low, double high);
-/// In 0 .. bound-1, bound >= 1.
-uint32_t test_random_below(test_random *random, uint32_t bound);
 
 /// Shapes that are hard in different ways. All lie around the origin with a diameter between 1 and 4, but for
 /// the integer ones (GRID, PARALLEL), whose coordinates are integers so that parallel edges are exactly

@@ -5,7 +5,7 @@
 # Not there: what preloads the library (a sanitizer's runtime wants to be the first of a process), and what tests the
 # testbed's pages and command line or the scripts. The actor with the library preloaded neither: its fuzzer does that work.
 stage_sanitized_tests() {
-    local which=() out='cli|browser|consumer|preloaded|front|gate'
+    local which=() out='preloaded|front|gate'
     [ "$long" = yes ] || { which=(--label-regex '^(claims|random|contracts|glue|as_stock)$') && out+='|settings'; }
     build_sanitizers || return 1
     rm -rf "$BMR_BUILD_DIR/profiles"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../../kit/random.h"
 #include "actor.h"
 
 namespace actor {
@@ -12,11 +13,8 @@ namespace {
 /// Numbers of its own from one byte or two: a crowd would read too many.
 class Dice {
 public:
-    explicit Dice(uint32_t seed) : m_state(seed * 2654435761u + 12345u) {}
-    int Below(int n) {
-        m_state = m_state * 1664525u + 1013904223u;
-        return static_cast<int>((m_state >> 8) % static_cast<uint32_t>(n));
-    }
+    explicit Dice(uint32_t seed) : m_random{seed} {}
+    int Below(int n) { return static_cast<int>(test_random_below(&m_random, static_cast<uint32_t>(n))); }
     bool OnceIn(int n) { return Below(n) == 0; }
     float Between(float low, float high) {
         return low + (high - low) * static_cast<float>(Below(4096)) / 4096.0f;
@@ -28,7 +26,7 @@ public:
     }
 
 private:
-    uint32_t m_state;
+    test_random m_random;
 };
 
 b2PolygonShape Box(float x, float y, b2Vec2 middle = {0.0f, 0.0f}, float angle = 0.0f) {

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <string>
 
+#include "../../kit/random.h"
 #include "actor.h"
 
 namespace actor {
@@ -21,16 +22,10 @@ enum Flag : uint8_t { kWeightless = 2, kSubStepping = 4, kBin = 8, kAnySize = 32
 
 class Writer {
 public:
-    explicit Writer(uint32_t seed) : m_state(seed * 2654435761u ^ 0x9e3779b9u) {}
+    explicit Writer(uint32_t seed) : m_random{seed} {}
     std::vector<uint8_t> bytes;
 
-    uint32_t Next() { // xorshift, and a multiplication
-        m_state ^= m_state << 13;
-        m_state ^= m_state >> 17;
-        m_state ^= m_state << 5;
-        return (m_state * 2654435769u) >> 8;
-    }
-    uint32_t Below(uint32_t n) { return Next() % n; }
+    uint32_t Below(uint32_t n) { return test_random_below(&m_random, n); }
     bool OnceIn(uint32_t n) { return Below(n) == 0; }
     void Put(std::initializer_list<int> more) {
         for (const int byte : more)
@@ -82,7 +77,7 @@ public:
     }
 
 private:
-    uint32_t m_state;
+    test_random m_random;
 };
 
 /// Any script: a few bodies, then steps with actions between them.
@@ -325,8 +320,7 @@ std::vector<uint8_t> BytesOf(uint32_t seed) {
     };
     constexpr uint32_t kKindCount = sizeof kKinds / sizeof *kKinds;
     const Kind &kind = seed % 25 == 24 ? kNowhere : kKinds[seed % kKindCount];
-    Writer w(seed + 1);
-    w.Next();
+    Writer w(seed);
     int flags = kind.flags;
     if (w.OnceIn(8))
         flags ^= kWeightless;
