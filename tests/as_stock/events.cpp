@@ -11,71 +11,33 @@ using namespace as_stock;
 
 namespace {
 
-/// What the events of a contact have said of it so far.
-enum class State { Unborn, Coarse, Apart, Contact };
-
-class Witness : private b2ContactFilter {
+class Witness {
 public:
-    explicit Witness(Run &run) : m_run(run) {}
+    Witness(Run &run, const b2World *world) : m_run(run), m_world(world) {}
 
-    /// Of one world, from its beginning. Contacts begin where its filter is asked for them.
-    void Watch(b2World *world) {
-        world->SetContactFilter(this);
-        m_world = world;
-    }
-    /// Prints a line for each event, from here on.
-    void PrintEvents() { m_prints = true; }
-    void Say(const char *what) {
-        if (m_prints)
-            m_run.Print("event -- %s", what);
-    }
-
+    void Say(const char *what) { m_run.Print("event -- %s", what); }
     void OnEvent(const b2Body *a, const b2Body *b, const bmr_event &event);
     void OnAnswer(const b2Contact &contact, bmr::Answer answer);
-    /// Between two steps.
-    void CheckContacts(const b2World &world);
     void CheckCounts();
-
-    uint64_t Count(bmr_event_kind kind) const { return m_counts[kind]; }
+    bool prints = false; ///< a line for each event
 
 private:
-    using Key = std::pair<const b2Fixture *, const b2Fixture *>;
-    static Key KeyOf(const b2Fixture *a, const b2Fixture *b) { return a < b ? Key(a, b) : Key(b, a); }
-    static Key KeyOf(const b2Contact &contact) { return KeyOf(contact.GetFixtureA(), contact.GetFixtureB()); }
-
-    bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
-        m_states.erase(KeyOf(a, b)); // a contact is about to begin: another life
-        return b2ContactFilter::ShouldCollide(a, b);
-    }
-    void Turn(State *state, const bmr_event &event);
-    void TakeBelated(const b2Contact *next);
+    using Key = std::pair<const b2Body *, const b2Body *>;
+    static Key KeyOf(const b2Body *a, const b2Body *b) { return a < b ? Key(a, b) : Key(b, a); }
     void CheckCertificate(const bmr_event &event);
 
     Run &m_run;
-    bool m_prints = false;
-    std::map<Key, State> m_states;
-    std::vector<bmr_event> m_pending;                          ///< of a contact whose answer is still to come
-    const b2Body *m_pendingA = nullptr, *m_pendingB = nullptr; ///< the bodies of the first of them
-    Key m_answered = Key(); ///< the contact that was answered for last, in this step
+    const b2World *m_world;
+    std::map<Key, bool> m_inContact; ///< so says the last event of two bodies' contact; they have one
     uint64_t m_counts[BMR_EVENT_KIND_COUNT] = {}, m_answers[5] = {};
-    const b2World *m_world = nullptr;
 };
 
-using Lived = void (*)(Run &, Witness &);
+using Lived = void (*)(Run &);
 
 Witness *listening = nullptr; // Options are the process's, and so is who listens
 
 bool IsOfHulls(const bmr_event &event) {
     return event.pair != nullptr;
-}
-
-const b2Fixture *OnlySensor(const b2Body *body) {
-    const b2Fixture *fixture = body->GetFixtureList();
-    return fixture->GetNext() == nullptr && fixture->IsSensor() ? fixture : nullptr;
-}
-
-bool IsSensors(const b2Contact &contact) {
-    return contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor();
 }
 
 void Witness::CheckCertificate(const bmr_event &event) {
@@ -102,106 +64,24 @@ void Witness::OnEvent(const b2Body *a, const b2Body *b, const bmr_event &event) 
     m_run.Expect(event.pose == nullptr || (std::fabs(event.pose->position.x - double{between.x}) < 1e-3 &&
                                            std::fabs(event.pose->position.y - double{between.y}) < 1e-3),
                  "the pose is of the two bodies as they are given");
-    if (m_prints)
+    if (prints)
         m_run.Print("event %s %s %d %d", hulls ? "hulls" : "contact", bmr_event_name(event.kind),
                     event.level_before, event.level_after);
-    if (hulls)
-        return;
-    // Nobody answers for a sensor; its body has no other fixture here, nor has the one that it meets.
-    if (OnlySensor(a) != nullptr || OnlySensor(b) != nullptr) {
-        Turn(&m_states[KeyOf(a->GetFixtureList(), b->GetFixtureList())], event);
-        return;
-    }
-    if (m_pending.empty()) {
-        m_pendingA = a;
-        m_pendingB = b;
-    }
-    m_pending.push_back(event);
-}
-
-/// By the words of boomerang/box2d_glue.h.
-void Witness::Turn(State *state, const bmr_event &event) {
-    const State before = *state;
-    const bool fits = event.kind == BMR_EVENT_START     ? before == State::Unborn
-                      : event.kind == BMR_EVENT_PUSH    ? before == State::Apart
-                      : event.kind == BMR_EVENT_STAB    ? before == State::Coarse
-                      : event.kind == BMR_EVENT_COARSEN ? before == State::Apart
-                      : event.kind == BMR_EVENT_CONTACT ? before != State::Contact
-                      : event.kind == BMR_EVENT_LEAVE   ? before == State::Contact
-                                                        : false;
-    m_run.Expect(fits, "an event follows from the one before");
-    const int level = before == State::Apart || before == State::Contact ? 0 : BMR_LEVEL_DISKS;
-    m_run.Expect(event.level_before == level, "levels follow from one another");
-    *state = event.kind == BMR_EVENT_CONTACT ? State::Contact
-             : event.level_after == 0        ? State::Apart
-                                             : State::Coarse;
-    if (event.kind == BMR_EVENT_PUSH || event.kind == BMR_EVENT_STAB)
-        m_run.Expect(event.level_after == 0, "a push and a stab end at the polygons");
-    if (event.kind == BMR_EVENT_COARSEN)
-        m_run.Expect(event.level_after == BMR_LEVEL_DISKS, "what is coarser are the disks");
-}
-
-/// The table finds lines of its own, where an update found none: such a LEAVE follows the answer.
-void Witness::TakeBelated(const b2Contact *next) {
-    if (m_pending.empty() || m_pending.front().kind != BMR_EVENT_LEAVE || m_answered == Key())
-        return;
-    const auto isOf = [this](const Key &key) {
-        const b2Body *a = key.first->GetBody(), *b = key.second->GetBody();
-        return (a == m_pendingA && b == m_pendingB) || (a == m_pendingB && b == m_pendingA);
-    };
-    State &state = m_states[m_answered];
-    const bool ofNext = next != nullptr && m_pending.size() == 1 && isOf(KeyOf(*next)) &&
-                        m_states[KeyOf(*next)] == State::Contact;
-    if (state != State::Contact || !isOf(m_answered) || ofNext)
-        return;
-    Turn(&state, m_pending.front());
-    m_pending.erase(m_pending.begin());
+    if (!hulls)
+        m_inContact[KeyOf(a, b)] = event.kind == BMR_EVENT_CONTACT;
 }
 
 void Witness::OnAnswer(const b2Contact &contact, bmr::Answer answer) {
     ++m_answers[static_cast<int>(answer)];
-    TakeBelated(&contact);
-    const bool ofPolygons = contact.GetFixtureA()->GetType() == b2Shape::e_polygon &&
-                            contact.GetFixtureB()->GetType() == b2Shape::e_polygon;
-    m_run.Expect(m_pending.size() <= (ofPolygons ? 1u : 0u), "an evaluation has one event at most");
-    State &state = m_states[KeyOf(contact)];
-    const State before = state;
-    for (const bmr_event &event : m_pending)
-        Turn(&state, event);
-    if (ofPolygons && m_run.RemembersEdges()) {
-        if (answer == bmr::Answer::ApartBySearch)
-            m_run.Expect(m_pending.size() == 1, "what was searched and found is an event");
-        m_run.Expect(answer != bmr::Answer::ApartByPair, "no structure of hulls answers unasked");
-        if (answer == bmr::Answer::ApartByEdge || answer == bmr::Answer::ApartBySearch)
-            m_run.Expect(state == State::Apart || state == State::Coarse,
-                         "apart by a certificate of its own");
-        if (answer == bmr::Answer::HandedOver)
-            m_run.Expect(state == State::Contact, "handed over is in contact");
-        if (answer == bmr::Answer::Touching)
-            m_run.Expect(before == State::Contact &&
-                             (state == State::Contact || contact.GetManifold()->pointCount == 0),
-                         "what touched was in contact");
-    }
-    m_pending.clear();
-    m_answered = KeyOf(contact);
-}
-
-void Witness::CheckContacts(const b2World &world) {
-    TakeBelated(nullptr);
-    m_answered = Key();
-    m_run.Expect(m_pending.empty(), "each event of a contact has its answer");
-    if (!m_run.RemembersEdges())
+    if (!m_run.RemembersEdges() || contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor())
         return;
-    for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
-         contact = contact->GetNext()) {
-        if (contact->GetFixtureA()->GetType() != b2Shape::e_polygon ||
-            contact->GetFixtureB()->GetType() != b2Shape::e_polygon)
-            continue;
-        const auto known = m_states.find(KeyOf(*contact));
-        if (contact->IsTouching() && !IsSensors(*contact))
-            m_run.Expect(known != m_states.end() && known->second == State::Contact,
-                         "what touches is in contact");
-    }
+    const bool inContact =
+        m_inContact[KeyOf(contact.GetFixtureA()->GetBody(), contact.GetFixtureB()->GetBody())];
+    m_run.Expect(answer != bmr::Answer::ApartByPair, "no structure of hulls answers unasked");
+    if (answer == bmr::Answer::ApartByEdge || answer == bmr::Answer::ApartBySearch)
+        m_run.Expect(!inContact, "apart by a certificate of its own");
+    else
+        m_run.Expect(inContact || contact.GetManifold()->pointCount == 0, "what touches is in contact");
 }
 
 void Witness::CheckCounts() {
@@ -227,14 +107,7 @@ std::string Told(Lived lived, bmr::Options options = bmr::Options()) {
     };
     bmr::internal::ObserveAnswers(
         [](const b2Contact &contact, bmr::Answer answer) { listening->OnAnswer(contact, answer); });
-    std::string told = InChild(
-        [](Run &run) {
-            Witness witness(run);
-            listening = &witness;
-            chosen(run, witness);
-            witness.CheckCounts();
-        },
-        &options);
+    std::string told = InChild([](Run &run) { chosen(run); }, &options);
     bmr::internal::ObserveAnswers(nullptr);
     return told;
 }
@@ -247,17 +120,17 @@ struct Look {
 };
 using Life = std::vector<Look>;
 
-void Live(Game &game, Witness &witness, b2Body *body, const Life &life) {
+void Live(Game &game, b2Body *body, const Life &life) {
     for (const Look &look : life) {
-        witness.Say(look.what);
+        listening->Say(look.what);
         body->SetTransform(look.at, 0.0f);
         body->SetAwake(true);
         body->SetLinearVelocity({0.0f, 0.0f});
         body->SetAngularVelocity(0.0f);
         game.Step();
-        witness.CheckContacts(game.world);
         game.Stage(look.touching < 0 || game.Touching() == look.touching, look.what);
     }
+    listening->CheckCounts();
 }
 
 std::string TextOf(const Life &life) {
@@ -267,15 +140,19 @@ std::string TextOf(const Life &life) {
     return text;
 }
 
+struct Watched : Heard {
+    explicit Watched(Run &run) : Heard(run), witness(run, &world) { listening = &witness; }
+    Witness witness;
+};
+
 /// So many boxes that the world has a table of pairs where there is one: it has none for fewer than 8
 /// contacts.
-struct Crowded : Heard {
-    Crowded(Run &run, Witness &witness) : Heard(run) {
-        witness.Watch(&world);
+struct Crowded : Watched {
+    explicit Crowded(Run &run) : Watched(run) {
         for (int i = 0; i < 12; ++i)
             Box(Body(b2_dynamicBody, {40.0f + 1.1f * Real(i), 0.0f}), 0.5f, 0.5f);
         Step();
-        witness.PrintEvents();
+        witness.prints = true;
     }
 };
 
@@ -323,11 +200,11 @@ const Life kSmall = {
     {{5.0f, 0.0f}, "away"},
     {{0.0f, 1.49f}, "on it from nowhere", "contact contact -1 0\n"},
 };
-void PlaySmall(Run &run, Witness &witness) {
-    Crowded game(run, witness);
+void PlaySmall(Run &run) {
+    Crowded game(run);
     game.Wall({0.0f, 0.0f}, {1.0f, 1.0f});
     b2Body *body = game.Box({5.0f, 0.0f});
-    Live(game, witness, body, kSmall);
+    Live(game, body, kSmall);
 }
 
 /// Twelve vertices: 4 wide, 0.6 high, so that the disks around two of them part long after the polygons.
@@ -364,12 +241,12 @@ const Life kBig = {
     {{9.0f, 0.0f}, "away"},
     {{0.0f, 0.7f}, "above it, from nowhere", "contact start -1 0\n"},
 };
-void PlayBig(Run &run, Witness &witness) {
-    Crowded game(run, witness);
+void PlayBig(Run &run) {
+    Crowded game(run);
     AddBig(game, game.Body(b2_staticBody, {0.0f, 0.0f}));
     b2Body *body = game.Body(b2_dynamicBody, {9.0f, 0.0f});
     AddBig(game, body);
-    Live(game, witness, body, kBig);
+    Live(game, body, kBig);
 }
 
 /// With Options::pairsBy: a plank of ten boxes on another one that has a post at its end. The hulls overlap
@@ -383,16 +260,15 @@ const Life kMany = {
     {{0.0f, 0.19f}, "on it"},
     {{0.0f, -0.3f}, "below it"}, // what touched is asked of Box2D, whose answer gives each contact a line
 };
-void PlayMany(Run &run, Witness &witness) {
-    Heard game(run);
-    witness.Watch(&game.world);
-    witness.PrintEvents();
+void PlayMany(Run &run) {
+    Watched game(run);
+    game.witness.prints = true;
     b2Body *ground = game.Body(b2_kinematicBody, {0.0f, 0.0f}); // of a static one each box is its own
     game.Plank(ground);
     game.Box(ground, 0.1f, 1.0f, {-3.0f, 1.1f});
     b2Body *body = game.Body(b2_dynamicBody, {0.0f, 5.0f});
     game.Plank(body);
-    Live(game, witness, body, kMany);
+    Live(game, body, kMany);
     game.StagePairs();
 }
 
@@ -407,13 +283,13 @@ const Life kSensor = {
     {{5.0f, 0.0f}, "away"},
     {{1.6f, 0.0f}, "back", "contact start -1 0\n"},
 };
-void PlaySensor(Run &run, Witness &witness) {
-    Crowded game(run, witness);
+void PlaySensor(Run &run) {
+    Crowded game(run);
     b2PolygonShape box;
     box.SetAsBox(1.0f, 1.0f);
     game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), box, true);
     b2Body *body = game.Box({5.0f, 0.0f});
-    Live(game, witness, body, kSensor);
+    Live(game, body, kSensor);
 }
 
 /// Tip to tip: no side of theirs separates the two, and Box2D finds no points. The line between the tips,
@@ -423,8 +299,8 @@ const Life kTips = {
     {{0.149f, 0.0f}, "a bit nearer"},
     {{0.0f, 0.25f}, "side by side", "contact push 0 0\n"},
 };
-void PlayTips(Run &run, Witness &witness) {
-    Crowded game(run, witness);
+void PlayTips(Run &run) {
+    Crowded game(run);
     b2PolygonShape needle;
     const b2Vec2 toTheRight[3] = {{-2.0f, -0.1f}, {0.0f, 0.0f}, {-2.0f, 0.1f}},
                  toTheLeft[3] = {{0.0f, 0.0f}, {2.0f, -0.1f}, {2.0f, 0.1f}};
@@ -433,7 +309,7 @@ void PlayTips(Run &run, Witness &witness) {
     b2Body *body = game.Body(b2_dynamicBody, {5.0f, 0.0f});
     needle.Set(toTheLeft, 3);
     game.Fixture(body, needle);
-    Live(game, witness, body, kTips);
+    Live(game, body, kTips);
 }
 
 } // namespace
