@@ -4,7 +4,7 @@
 // the glue alone there is no table: there the same scenes show that nothing depends on it.
 #include <new>
 
-#include "yard.h"
+#include "as_stock.h"
 
 using namespace as_stock;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Who is born and dies when: installation, contacts, worlds; callers of Evaluate; odd bodies and
 // places.
+#include "as_stock.h"
 #include "boomerang/convex_shape.h"
-#include "yard.h"
 
 #include <array>
 #include <memory>

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
-// How far a fixture's row can come in the sweep of its body (glue/pairs/fixture_motion.h): what the budget of
-// a pair is held against, ahead of Box2D's search for impacts. Code of the game may have run since the row
-// was looked at: the body need not turn about what it turned about, nor be of the same shape.
+// The table of pairs (glue/pairs). How far out a fixture's row is: its pairs' margins grow with it, a row
+// that comes into another band has its pairs looked at, and one that trembles about a border does not. How
+// far a row can come in the sweep of its body: what the budget of a pair is held against, ahead of Box2D's
+// search for impacts. Code of the game may have run since the row was looked at: the body need not turn about
+// what it turned about, nor be of the same shape. And when a pass over the table pays.
 #include <box2d/box2d.h>
 
 #include "base/private_members.h"
 #include "cases.h"
 #include "glue/pairs/fixture_motion.h"
 #include "glue/pairs/pair_table.h"
+#include "glue/pairs/table_cost.h"
 
 namespace {
 
-/// One triangle whose row has a proof, so that looks read it.
-struct Swept {
+/// One fixture whose row has a proof, so that looks read it.
+struct Row {
     b2World world{b2Vec2(0.0f, 0.0f)};
     b2Body *body;
     b2PolygonShape *shape;
@@ -20,22 +23,120 @@ struct Swept {
     uint32_t row;
     uint64_t look = 0;
 
-    Swept() {
+    explicit Row(const b2PolygonShape &polygon) {
         b2BodyDef def;
         def.type = b2_dynamicBody;
         body = world.CreateBody(&def);
-        const b2Vec2 corners[3] = {{-0.3f, -0.2f}, {0.9f, -0.1f}, {-0.2f, 0.8f}};
-        b2PolygonShape triangle;
-        triangle.Set(corners, 3);
-        b2Fixture *const fixture = body->CreateFixture(&triangle, 1.0f);
+        b2Fixture *const fixture = body->CreateFixture(&polygon, 1.0f);
         shape = static_cast<b2PolygonShape *>(fixture->GetShape());
         row = motions.Acquire(fixture, BroadPhase(), ++look);
         motions.AddProof(row, BroadPhase(), look);
     }
     const b2BroadPhase &BroadPhase() const { return world.GetContactManager().m_broadPhase; }
+    void Look() { motions.Update(row, BroadPhase(), ++look, false); }
+};
+
+constexpr float kBorder = bmr::kBandReach;
+
+b2PolygonShape Square(float half) {
+    b2PolygonShape box;
+    box.SetAsBox(half, half);
+    return box;
+}
+
+struct Yard : Row {
+    explicit Yard(float half = 0.5f) : Row(Square(half)) {}
+
+    /// The row's bits after a look with the body there.
+    uint8_t At(float x, float y = 0.0f) {
+        body->SetTransform({x, y}, 0.3f);
+        motions.SetBits(row, motions.Bits(row) & static_cast<uint8_t>(~(bmr::kChanged | bmr::kChangedLate)));
+        Look();
+        return motions.Bits(row);
+    }
+    int Band() const { return motions.Band(row, row); }
+};
+
+} // namespace
+
+TEST_CASE("a row is in the band that its body is in") {
+    Yard yard;
+    CHECK(yard.Band() == 0);
+    CHECK(yard.motions.RoundingMargin(yard.row, yard.row) == bmr::kRoundingMargin);
+    for (int band = 1; band < bmr::kBands; ++band) {
+        const float from = std::ldexp(kBorder, band - 1), to = std::ldexp(kBorder, band) - 5.0f;
+        for (const b2Vec2 place : {b2Vec2(from + 1.0f, 0.0f), b2Vec2(0.0f, -from - 1.0f), b2Vec2(to, -to)}) {
+            CAPTURE(place.x);
+            CAPTURE(place.y);
+            yard.At(0.0f);
+            const uint8_t bits = yard.At(place.x, place.y);
+            CHECK((bits & bmr::kPlain) == 0);
+            CHECK((bits & bmr::kChanged) != 0); // its pairs' lines left less
+            CHECK(yard.Band() == band);
+            CHECK(yard.motions.RoundingMargin(yard.row, yard.row) == bmr::BandMargin(band));
+        }
+    }
+}
+
+TEST_CASE("margins grow at least as the bands do") {
+    for (int band = 1; band < bmr::kBands; ++band)
+        CHECK(bmr::BandMargin(band) >= 2.0 * bmr::BandMargin(band - 1));
+}
+
+TEST_CASE("the extent counts as much as the analysis says") {
+    constexpr float half = 50.0f, far = half * 1.41422f * bmr::kBandReachOfExtent;
+    Yard yard(half);
+    yard.At(kBorder - far - 1.0f);
+    CHECK(yard.Band() == 0);
+    yard.At(kBorder - far + 1.0f);
+    CHECK(yard.Band() == 1);
+    // Larger than band 0 has room for: nowhere.
+    Yard large(kBorder);
+    for (const float x : {0.0f, 2.0f * kBorder})
+        CHECK((large.At(x) & bmr::kPlain) != 0);
+}
+
+TEST_CASE("who trembles about a border is in the farther band, and nothing is said of it") {
+    Yard yard;
+    CHECK((yard.At(kBorder + 1.0f) & bmr::kChanged) != 0);
+    for (int i = 0; i < 10; ++i) {
+        CHECK((yard.At(kBorder - 5.0f) & bmr::kChanged) == 0);
+        CHECK((yard.At(kBorder + 5.0f) & bmr::kChanged) == 0);
+        CHECK(yard.Band() == 1);
+    }
+    // What was proved of impacts went by the larger margin.
+    CHECK((yard.At(0.5f * kBorder) & bmr::kChanged) != 0);
+    CHECK(yard.Band() == 0);
+    yard.At(7.0f * kBorder);
+    CHECK(yard.Band() == 3);
+    yard.At(0.9f * kBorder); // past the borders between
+    CHECK(yard.Band() == 1);
+}
+
+TEST_CASE("beyond the last band, and nowhere, there is no budget") {
+    const float last = std::ldexp(kBorder, bmr::kBands - 1);
+    Yard yard;
+    CHECK((yard.At(last - 5.0f) & bmr::kPlain) == 0);
+    const uint8_t gone = yard.At(last + 5.0f);
+    CHECK((gone & bmr::kPlain) != 0);
+    CHECK((gone & bmr::kChanged) != 0);
+    CHECK((yard.At(0.0f) & bmr::kPlain) == 0);
+    CHECK((yard.At(1e30f) & bmr::kPlain) != 0);
+}
+
+namespace {
+
+b2PolygonShape Triangle() {
+    const b2Vec2 corners[3] = {{-0.3f, -0.2f}, {0.9f, -0.1f}, {-0.2f, 0.8f}};
+    b2PolygonShape triangle;
+    triangle.Set(corners, 3);
+    return triangle;
+}
+
+struct Swept : Row {
+    Swept() : Row(Triangle()) {}
     b2Sweep &Sweep() { return body->*Named(bmr::SweepMember()); }
 
-    void Look() { motions.Update(row, BroadPhase(), ++look, false); }
     /// In units, from the last look on.
     uint32_t End(bool careful = true) {
         motions.UpdateEnd(row, careful, ++look);
@@ -193,4 +294,52 @@ TEST_CASE("a budget outlasts sweeps if it was proved for impacts, too") {
     REQUIRE(table.BeginProof(0));
     table.Prove(0, {0.0, 0.0}, 0.05, 0.01, false); // as a sensor's overlap is
     CHECK(!outlasts());
+}
+
+namespace {
+
+constexpr uint32_t kPairs = 200;
+
+/// How many of 2,000 steps go by the list in a world of which each step is so.
+int StepsByList(uint32_t updates, uint32_t fixtures, uint32_t awake, int searches, uint32_t pairs = kPairs) {
+    bmr::TableCost cost;
+    int byList = 0;
+    for (int step = 0; step < 2000; ++step) {
+        if (!cost.NextStepPays()) {
+            ++byList;
+            cost.NoteList(pairs, awake);
+            continue;
+        }
+        for (int i = 0; i < searches; ++i)
+            cost.NoteSearch();
+        cost.NotePass(step == 0 ? pairs : updates, fixtures, pairs, awake);
+    }
+    return byList;
+}
+
+} // namespace
+
+TEST_CASE("a table rests where most pairs are updated, and works where few are") {
+    CHECK(StepsByList(5, 60, kPairs, 0) == 0);
+    // Nine passes of 265 steps are tries.
+    CHECK(StepsByList(kPairs, 60, kPairs, 0) > 1900);
+    CHECK(StepsByList(kPairs, 60, kPairs, 0) < 2000);
+}
+
+TEST_CASE("searches for impacts, and walks over many contacts, are a reason to work") {
+    CHECK(StepsByList(kPairs, 60, kPairs, 100) == 0);
+    CHECK(StepsByList(3000, 3000, 4096, 0, 4096) > 1900);
+    CHECK(StepsByList(3000, 3000, 4097, 0, 4097) == 0);
+}
+
+TEST_CASE("a world of fewer pairs than a pass costs is stepped by its list; sleepers end a rest") {
+    CHECK(StepsByList(2, 20, 30, 0, 30) > 1900);
+    bmr::TableCost cost;
+    for (int pass = 0; pass < 9; ++pass)
+        cost.NotePass(kPairs, kPairs, kPairs, kPairs);
+    REQUIRE_FALSE(cost.NextStepPays());
+    cost.NoteList(kPairs, kPairs);
+    REQUIRE_FALSE(cost.NextStepPays());
+    cost.NoteList(kPairs, 3);
+    CHECK(cost.NextStepPays());
 }
