@@ -54,6 +54,21 @@ inline std::string Played(const Scenario &play, const Form &form, unsigned how) 
     return played;
 }
 
+/// Both games once more, which write all numbers of the lines that differ: the first that is another.
+inline std::string DifferenceInWords(const Scenario &play, const Form &form, unsigned how,
+                                     const FirstDifference &lines) {
+    const auto words = [](const std::string &line, const std::function<std::string()> &again) {
+        Run::InWords() = line;
+        const std::string text = "\n" + again();
+        Run::InWords().clear();
+        const size_t begin = text.find("\n  ");
+        return begin != std::string::npos ? text.substr(begin + 1, text.find("\n" + line) - begin) : "";
+    };
+    return FirstDifference(words(lines.ofStock, [&] { return InChild(play); }),
+                           words(lines.ofPlugin, [&] { return Played(play, form, how); }))
+        .Say();
+}
+
 /// The claim of every game, which also counts what its name describes, and requires more than none of it
 /// (Game::TookPlace, or Game::Stage): a game that does not is a failure.
 inline void AsStock(const Scenario &play, unsigned how = kAsAny) {
@@ -66,7 +81,12 @@ inline void AsStock(const Scenario &play, unsigned how = kAsAny) {
     for (const Form &form : kForms) {
         const std::string name = form.name;
         CAPTURE(name);
-        REQUIRE(Difference(stock, Played(play, form, how)) == "");
+        const std::string played = Played(play, form, how);
+        std::string difference = Difference(stock, played);
+        const FirstDifference lines(WithinRules(stock), WithinRules(played));
+        if (lines.Is())
+            difference += DifferenceInWords(play, form, how, lines);
+        REQUIRE(difference == "");
     }
 }
 

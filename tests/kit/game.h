@@ -69,16 +69,19 @@ public:
     void BeginContact(b2Contact *contact) override { Tell(1, contact, begin); }
     void EndContact(b2Contact *contact) override { Tell(2, contact, end); }
     void PreSolve(b2Contact *contact, const b2Manifold *old) override {
+        m_hash->Name("call", told, "old manifold");
         m_hash->Add(*old);
         Tell(3, contact, preSolve);
     }
     void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override {
+        m_hash->Name("call", told, "impulses");
         m_hash->Add(static_cast<uint32_t>(impulse->count));
         Tell(4, contact, postSolve);
     }
 
 private:
     void Tell(uint32_t what, b2Contact *contact, Callback<b2Contact *> &callback) {
+        m_hash->Name("call", told, "which, of what, among how many contacts");
         ++told;
         m_hash->Add(what);
         m_hash->Add(*contact->GetFixtureA());
@@ -102,6 +105,7 @@ public:
     int count = 0;
 
     bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
+        m_hash->Name("filter's call", count, "fixtures");
         ++count;
         m_hash->Add(*a);
         m_hash->Add(*b);
@@ -120,6 +124,8 @@ public:
     explicit Game(Run &run, b2Vec2 gravity = b2Vec2(0.0f, 0.0f))
         : listener(world, &hash), filter(&hash), world(gravity), m_run(run) {
         run.BeginsWorld();
+        if (!Run::InWords().empty())
+            hash.words = &m_words;
     }
 
     void Listen() { world.SetContactListener(&listener); }
@@ -218,8 +224,14 @@ public:
     }
     void WriteDown() {
         hash.Add(world);
-        m_run.Print("%d contacts, %d told, %d asked, %016" PRIx64, static_cast<int>(world.GetContactCount()),
-                    listener.told, filter.count, hash.Value());
+        char line[120];
+        std::snprintf(line, sizeof line, "%d contacts, %d told, %d asked, %016" PRIx64,
+                      static_cast<int>(world.GetContactCount()), listener.told, filter.count, hash.Value());
+        if (line == Run::InWords())
+            m_run.Write(m_words);
+        m_words.clear();
+        hash.Name("number", 0, "of the game");
+        m_run.Print("%s", line);
     }
 
     /// How many contacts touch between solid fixtures: games check that what they stage takes place.
@@ -253,6 +265,7 @@ public:
 
 private:
     Run &m_run;
+    std::string m_words; ///< of what was written down since the last line, if anybody asks
     uintptr_t m_made = 0;
 };
 

@@ -84,10 +84,18 @@ public:
         va_start(arguments, format);
         std::vsnprintf(line, sizeof line, format, arguments);
         va_end(arguments);
-        m_text += line;
-        m_text += '\n';
+        Write(line);
+        Write("\n");
+    }
+    void Write(const std::string &text) {
+        m_text += text;
         if (m_text.size() > kBuffer)
             Flush();
+    }
+    /// The line of a game's ahead of which each number is written that went into its hash.
+    static std::string &InWords() {
+        static std::string line;
+        return line;
     }
     /// A claim about the library's own doing: a failure of this run if it is false. Stock has none.
     void Expect(bool holds, const char *claim) {
@@ -230,25 +238,39 @@ inline std::string WithinRules(std::string text) {
     return text;
 }
 
+/// The first lines that are not the same, "" if there are none, and their number.
+struct FirstDifference {
+    FirstDifference(const std::string &stock, const std::string &plugin) {
+        size_t a = 0, b = 0;
+        while (a < stock.size() || b < plugin.size()) {
+            const size_t endA = std::min(stock.find('\n', a), stock.size()),
+                         endB = std::min(plugin.find('\n', b), plugin.size());
+            ++number;
+            ofStock = stock.substr(std::min(a, endA), endA - std::min(a, endA));
+            ofPlugin = plugin.substr(std::min(b, endB), endB - std::min(b, endB));
+            if (ofStock != ofPlugin)
+                return;
+            a = endA + 1;
+            b = endB + 1;
+        }
+        ofStock = ofPlugin = "";
+    }
+    bool Is() const { return ofStock != ofPlugin; }
+    std::string Say() const {
+        return "line " + std::to_string(number) + "\nstock:  " + ofStock + "\nplugin: " + ofPlugin + "\n";
+    }
+    int number = 0;
+    std::string ofStock, ofPlugin;
+};
+
 /// "" if the texts are the same within Box2D's rules, else the first difference and what was broken.
-inline std::string Difference(std::string stock, std::string plugin) {
+inline std::string Difference(const std::string &stock, const std::string &plugin) {
     std::string report;
-    for (std::string *text : {&stock, &plugin}) {
+    for (const std::string *text : {&stock, &plugin})
         for (size_t at = text->find('!'); at != std::string::npos; at = text->find('!', at + 1))
             report += text->substr(at, text->find('\n', at) - at) + "\n";
-        *text = WithinRules(std::move(*text));
-    }
-    size_t from = stock == plugin ? std::string::npos : 0;
-    for (int line = 1; from != std::string::npos; ++line) {
-        const size_t a = stock.find('\n', from), b = plugin.find('\n', from);
-        if (stock.compare(from, a - from, plugin, from, b - from) != 0 || a != b) {
-            report += "line " + std::to_string(line) + "\nstock:  " + stock.substr(from, a - from) +
-                      "\nplugin: " + plugin.substr(from, b - from) + "\n";
-            break;
-        }
-        from = a == std::string::npos ? a : a + 1;
-    }
-    return report;
+    const FirstDifference first(WithinRules(stock), WithinRules(plugin));
+    return first.Is() ? report + first.Say() : report;
 }
 
 } // namespace as_stock

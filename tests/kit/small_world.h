@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <initializer_list>
+#include <string>
 
 #include <box2d/box2d.h>
 
@@ -68,13 +68,24 @@ inline void FillWithBoxes(b2World &world) {
 /// What happened, to the last bit; numbers that are none are one number.
 class Hash {
 public:
+    /// If there is one it gets a line for each number, with its name.
+    std::string *words = nullptr;
+
+    /// Of what comes next.
+    void Name(const char *object, int number, const char *field) { m_name = {object, number, field}; }
     void Add(float value) {
         uint32_t bits = 0x7fc00000u;
         if (value == value)
             std::memcpy(&bits, &value, sizeof bits);
-        Add(bits);
+        if (words != nullptr)
+            Write("%.9g", static_cast<double>(value));
+        Mix(bits);
     }
-    void Add(uint32_t word) { m_value = (m_value ^ word) * UINT64_C(1099511628211); }
+    void Add(uint32_t word) {
+        if (words != nullptr)
+            Write("%.0f", static_cast<double>(word));
+        Mix(word);
+    }
     void Add(const b2Vec2 &v) {
         Add(v.x);
         Add(v.y);
@@ -84,23 +95,38 @@ public:
         Add(static_cast<uint32_t>(const_cast<b2Fixture &>(fixture).GetUserData().pointer));
     }
     void Add(const b2World &world) {
-        for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-            for (const b2Vec2 &v :
-                 {body->GetPosition(), body->GetTransform().q.GetXAxis(), body->GetWorldCenter(),
-                  body->GetLinearVelocity(), b2Vec2(body->GetAngle(), body->GetAngularVelocity())})
-                Add(v);
+        int number = 0;
+        for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext(), ++number) {
+            const struct {
+                const char *name;
+                b2Vec2 value;
+            } fields[] = {{"position", body->GetPosition()},
+                          {"rotation", body->GetTransform().q.GetXAxis()},
+                          {"centre", body->GetWorldCenter()},
+                          {"velocity", body->GetLinearVelocity()},
+                          {"angle and spin", b2Vec2(body->GetAngle(), body->GetAngularVelocity())}};
+            for (const auto &field : fields) {
+                Name("body", number, field.name);
+                Add(field.value);
+            }
+            Name("body", number, "awake");
             Add(static_cast<uint32_t>(body->IsAwake()));
         }
+        Name("world", 0, "contacts");
         Add(static_cast<uint32_t>(world.GetContactCount()));
+        number = 0;
         for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
-             contact = contact->GetNext())
-            Add(*contact);
+             contact = contact->GetNext(), ++number)
+            Add(*contact, number);
     }
     /// Of a sensor's contact all that Box2D finds is whether it touches.
-    void Add(const b2Contact &contact) {
+    void Add(const b2Contact &contact, int number = 0) {
+        Name("contact", number, "fixtures");
         Add(*contact.GetFixtureA());
         Add(*contact.GetFixtureB());
+        Name("contact", number, "touching");
         Add(static_cast<uint32_t>(contact.IsTouching()));
+        Name("contact", number, "manifold");
         if (!contact.GetFixtureA()->IsSensor() && !contact.GetFixtureB()->IsSensor())
             Add(*contact.GetManifold());
     }
@@ -121,7 +147,20 @@ public:
     uint64_t Value() const { return m_value; }
 
 private:
+    void Mix(uint32_t word) { m_value = (m_value ^ word) * UINT64_C(1099511628211); }
+    void Write(const char *format, double value) {
+        char number[40];
+        std::snprintf(number, sizeof number, format, value);
+        *words += std::string("  ") + m_name.object + ' ' + std::to_string(m_name.number) + ' ' +
+                  m_name.field + ": " + number + '\n';
+    }
+
     uint64_t m_value = UINT64_C(14695981039346656037);
+    struct {
+        const char *object;
+        int number;
+        const char *field;
+    } m_name = {"number", 0, "of the game"};
 };
 
 inline void Step(b2World &world, int steps, Hash *hash) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What filters do, and what a listener does that steps its own world.
-#include "deeds.h"
+#include "world.h"
 
 namespace actor {
 

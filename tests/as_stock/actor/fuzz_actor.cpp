@@ -27,8 +27,6 @@
 
 #if defined(BOOMERANG_FUZZ_POISON)
 #    include <sanitizer/common_interface_defs.h>
-
-#    include "poison.h"
 #endif
 
 namespace {

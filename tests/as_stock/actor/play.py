@@ -126,6 +126,8 @@ def compare(stage, verdicts, form, expected, found, base):
     for play, name, line, there in bad[:5]:
         print(f"  {line}\n  {there}")
     play, name, line, _ = bad[0]
+    which = f"--first {name} --seeds 1" if play[0] == "seeds" else f"{play[1]} --seeds 0"
+    print(f"  play it again: {sys.argv[0]} {stage.given.programs} {stage.given.library} {which} --forms {form}")
     record = line.split()[1]
     if record != "ends":
         one, other = (stage.dump(which, play, name, record) for which in (base, form))

@@ -5,7 +5,7 @@
 #include <box2d/box2d.h>
 
 /// @file
-/// What only a program with the plugin can do; nothing at all in plugin_absent.cpp.
+/// What only a program with the plugin can do; nothing at all in plugin_absent.cpp. And what poison.cpp says.
 
 namespace actor {
 
@@ -25,6 +25,9 @@ void Look(b2World &world);
 void CreateAnySize(b2Body *body, const b2FixtureDef &def, const AnySize &size);
 /// An outline with a notch and a hole.
 void CreateOutline(b2Body *body, const b2FixtureDef &def, float width, float depth);
+
+/// Of poison.cpp: the block that was last given back to Box2D's allocator and is still free, or nullptr.
+const void *LastFreed();
 
 } // namespace actor
 

@@ -8,7 +8,7 @@
 // These stand in front of Box2D's functions, preloaded or in the program. A block that was never handed out
 // is as it is. Where they are preloaded, what Box2D's stack allocator hands out is overwritten, too: a step's
 // own arrays.
-#include "poison.h"
+#include "plugin.h"
 
 #include <cstdlib>
 #include <cstring>

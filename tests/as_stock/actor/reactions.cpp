@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What listeners do: a table, and what needs more than a line.
-#include "deeds.h"
 #include "state/visit.h"
+#include "world.h"
 
 namespace actor {
 

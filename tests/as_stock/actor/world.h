@@ -173,6 +173,13 @@ void EditAll(b2Body *body, float scale, b2Vec2 by);
 /// Normals stay right, and Box2D is not told.
 void ScaleInPlace(b2PolygonShape *polygon, float reach);
 
+// What listeners and filters do alike: to a body or a fixture, as a number says.
+b2Body *CreateBox(World &world, b2Vec2 at, float angle, b2BodyType type);
+/// A polygon: another radius, smaller, or scaled.
+void Edit(b2Fixture *fixture, uint32_t mixed);
+void SetFilterData(b2Fixture *fixture, uint32_t mixed);
+void ThrowBody(b2Body *body, uint32_t mixed);
+
 } // namespace actor
 
 #endif
