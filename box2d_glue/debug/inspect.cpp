@@ -10,7 +10,7 @@
 
 #include "convex32/convex32_collide.h"
 #include "glue/contacts/convex_contact.h"
-#include "glue/contacts/polygon_contact.h"
+#include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
 #include "glue/proofs/thresholds.h"
@@ -203,7 +203,7 @@ bool AskRememberedEdge(const PolygonContact &contact, const b2Fixture *const (&f
                    fixtures, owner, proof);
 }
 
-/// In the order of PolygonContact::Ask, and of ConvexContact's, which remembers vertices and no edge.
+/// In the order of PolygonContact::Fill, and of ConvexContact's, which remembers vertices and no edge.
 void AskEdges(const b2Contact &contact, Proof *proof) {
     const b2Fixture *const fixtures[2] = {contact.GetFixtureA(), contact.GetFixtureB()};
     const PolygonContact *const small = PolygonContact::AsOurs(&contact);

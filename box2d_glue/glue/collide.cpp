@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "glue/passes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
 
 #include <box2d/b2_contact_manager.h>
+#include <box2d/b2_polygon_shape.h>
 
 #include "base/compiler.h"
 #include "base/rounding_mode.h"
@@ -14,12 +17,266 @@
 #include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
-#include "glue/proofs/apart_line.h"
+#include "glue/proofs/thresholds.h"
+#include "shapes/big_polygons.h"
+#include "shapes/shapes32.h"
 #include "start/settings.h"
 
 namespace bmr {
 
+// What a contact that was updated proves for its pair.
+
+static_assert(static_cast<double>(kBandReach) <= kReach && kImpactReach <= kSweepReach &&
+                  kImpactAngle <= kSweepAngle,
+              "the margins hold wherever a pair of band 0 has a budget");
+
 namespace {
+
+/// A polygon in the world, in double.
+struct Placed {
+    const b2PolygonShape *shape;
+    const bmr_convex32_block *big; ///< nullptr: a small one
+    bmr_pose pose;
+    double reach;
+
+    explicit Placed(const FixtureMotion &motion) : Placed(*motion.fixture, motion.mover.reach) {}
+    Placed(const b2Fixture &fixture, double reachOfVertices)
+        : shape(static_cast<const b2PolygonShape *>(fixture.GetShape())),
+          big(AnyBigPolygon() ? BigPolygonOf(*shape) : nullptr),
+          pose(PoseOf(fixture.GetBody()->GetTransform())), reach(reachOfVertices) {}
+
+    /// The largest <d, v> of a point, in the world, and the point. Of a big polygon the vertex may be the
+    /// wrong one of two that are as far along to rounding, which `slack` covers.
+    bmr_vec2 Farthest(bmr_vec2 d, double *slack) const {
+        const bmr_vec2 local = bmr_unrotate(&pose, d);
+        if (big != nullptr) {
+            const uint32_t at = bmr_convex32_support(
+                &big->polygon, {static_cast<float>(local.x), static_cast<float>(local.y)});
+            *slack += reach * 0x1p-20;
+            return bmr_transform(&pose, Vertex(big->polygon.vertices[at]));
+        }
+        const bmr_vec32 *const vertices = Vectors32(shape->m_vertices);
+        int32 best = 0;
+        double most = bmr_dot(local, Vertex(vertices[0]));
+        for (int32 i = 1; i < shape->m_count; ++i) {
+            const double along = bmr_dot(local, Vertex(vertices[i]));
+            if (along > most) {
+                most = along;
+                best = i;
+            }
+        }
+        return bmr_transform(&pose, Vertex(vertices[best]));
+    }
+
+    /// Somewhere in the middle of a small one, in the world.
+    bmr_vec2 Middle() const {
+        const bmr_vec32 *const vertices = Vectors32(shape->m_vertices);
+        return bmr_transform(
+            &pose, bmr_scale(0.5, bmr_add(Vertex(vertices[0]), Vertex(vertices[shape->m_count / 2]))));
+    }
+
+private:
+    static bmr_vec2 Vertex(const bmr_vec32 &v) {
+        return {static_cast<double>(v.x), static_cast<double>(v.y)};
+    }
+};
+
+/// How far apart two are along a direction: <d, b - a> >= gap for all their points.
+struct Gap {
+    bmr_vec2 d;
+    double gap;
+    bmr_vec2 between; ///< from a's point that is farthest along d to b's that is least far
+};
+
+Gap GapAlong(const Placed &a, const Placed &b, bmr_vec2 d) {
+    // Coordinates are those of the last band at most, so the rounding of doubles is far below this.
+    constexpr double kRounding = 1e-9 * static_cast<double>(b2_lengthUnitsPerMeter);
+    double slack = kRounding;
+    const bmr_vec2 from = a.Farthest(d, &slack), to = b.Farthest(bmr_neg(d), &slack);
+    const bmr_vec2 between = bmr_sub(to, from);
+    return {d, bmr_dot(d, between) - slack, between};
+}
+
+/// Of unit length; false of nothing and of what is no number.
+bool Normalize(bmr_vec2 *d) {
+    const double length = std::sqrt(bmr_dot(*d, *d));
+    if (!(length > 1e-12 && length < 1e12))
+        return false;
+    *d = bmr_scale(1.0 / length, *d);
+    return true;
+}
+
+/// How far a vertex may be from its body's origin.
+double ReachOf(const FixtureMotion &motion) {
+    return motion.mover.reach + std::fabs(motion.mover.pivot.x) + std::fabs(motion.mover.pivot.y);
+}
+
+/// By how much b2TimeOfImpact's arithmetic may be off, for one of the two and for coordinates up to
+/// `farthest` (glue/proofs/sweep_apart.cpp has the same for the coordinates of a step).
+double ImpactRounding(const FixtureMotion &motion, double farthest) {
+    return static_cast<double>(kUnit) *
+           (static_cast<double>(kErrorPerCoordinate) * farthest +
+            static_cast<double>(kErrorPerReach) * ReachOf(motion) +
+            static_cast<double>(kErrorPerAngle * kImpactAngle) * motion.mover.reach);
+}
+double ImpactTilt(const FixtureMotion &motion, double farthest) {
+    return static_cast<double>(kUnit) * (static_cast<double>(kTiltPerCoordinate) * farthest +
+                                         static_cast<double>(kTiltPerReach) * ReachOf(motion));
+}
+
+/// Does a distance of `threshold` keep b2TimeOfImpact from finding the two touching, as far out as
+/// kImpactReach of `band`?
+bool KeepsFromImpact(const FixtureMotion &a, const FixtureMotion &b, int band, double threshold) {
+    const double farthest = std::ldexp(static_cast<double>(kImpactReach), band);
+    if (!(a.shortest >= kShortestSide && b.shortest >= kShortestSide))
+        return false; // and of big polygons, whose sides are not measured
+    const double lever = 1.0 + 2.0 * std::max(a.mover.reach / static_cast<double>(b.shortest),
+                                              b.mover.reach / static_cast<double>(a.shortest));
+    const auto impact = static_cast<double>(ImpactDistance(a.radius + b.radius));
+    const double tilt = ImpactTilt(a, farthest) + ImpactTilt(b, farthest) + static_cast<double>(kTiltAlways) +
+                        static_cast<double>(kUnit * kTiltPerDistance) * impact;
+    return impact * (1.0 + static_cast<double>(kUnit * kErrorPerDistance)) + ImpactRounding(a, farthest) +
+               ImpactRounding(b, farthest) + tilt * lever <
+           threshold;
+}
+
+/// How far apart two polygons must be for b2CollidePolygons to give no points, b2TestOverlap to say no, and
+/// (where their sides are long enough) b2TimeOfImpact to find them apart.
+double ApartThreshold(const PairTable &table, uint32_t pair) {
+    const Pair &at = table.At(pair);
+    const FixtureMotions &motions = table.motions;
+    return ContactMargin(static_cast<double>(motions[at.a].radius + motions[at.b].radius),
+                         motions.RoundingMargin(at.a, at.b));
+}
+
+/// How far a fixture's body most likely carries its points in a step of this length.
+double ExpectedMotion(const FixtureMotion &motion, float seconds) {
+    constexpr double kUnknownReach = 0.5 * static_cast<double>(b2_lengthUnitsPerMeter);
+    const b2Vec2 &v = motion.body->GetLinearVelocity();
+    const double reach = motion.mover.reach > 0.0 ? motion.mover.reach : kUnknownReach;
+    return static_cast<double>(seconds) *
+           (static_cast<double>(b2Abs(v.x) + b2Abs(v.y)) +
+            static_cast<double>(b2Abs(motion.body->GetAngularVelocity())) * reach);
+}
+
+/// Begins a proof; false, and the pair is due, where none is worth it. `soon`: how much is to be left
+/// beyond it.
+bool BeginProof(PairTable *table, uint32_t pair, double *soon) {
+    constexpr double kFatBoxes = 6.0 * static_cast<double>(b2_aabbExtension);
+    *soon = 2.0 * (ExpectedMotion(table->motions[table->At(pair).a], table->seconds) +
+                   ExpectedMotion(table->motions[table->At(pair).b], table->seconds));
+    if (*soon <= kFatBoxes && table->BeginProof(pair))
+        return true;
+    table->SetDue(pair);
+    return false;
+}
+
+/// How deep the vertex of one that reaches farthest towards the other's middle lies in that; both small. Less
+/// than 0 where it is outside.
+double DepthOf(const Placed &owner, const Placed &other) {
+    const auto vector = [](const b2Vec2 &v) {
+        return bmr_vec2{static_cast<double>(v.x), static_cast<double>(v.y)};
+    };
+    double none = 0.0;
+    const bmr_vec2 vertex = owner.Farthest(bmr_sub(other.Middle(), owner.Middle()), &none);
+    const bmr_vec2 p = bmr_unrotate(&other.pose, bmr_sub(vertex, other.pose.position));
+    double depth = static_cast<double>(b2_maxFloat);
+    for (int32 i = 0, count = other.shape->m_count; i < count; ++i) {
+        const bmr_vec2 start = vector(other.shape->m_vertices[i]),
+                       end = vector(other.shape->m_vertices[i + 1 < count ? i + 1 : 0]);
+        bmr_vec2 side = bmr_sub(end, start);
+        if (!Normalize(&side))
+            return -1.0;
+        depth = std::min(depth, bmr_cross(side, bmr_sub(p, start)));
+    }
+    return depth;
+}
+
+/// A sensor's contact was updated, and its two polygons overlap: gives its pair the budget that the depth of
+/// a vertex in the other polygon allows. There is no line to renew it.
+void ProveOverlap(PairTable *table, uint32_t pair) {
+    double soon;
+    if (!BeginProof(table, pair, &soon))
+        return;
+    const Placed a(table->motions[table->At(pair).a]), b(table->motions[table->At(pair).b]);
+    const double depth = a.big != nullptr || b.big != nullptr ? -1.0 : std::max(DepthOf(a, b), DepthOf(b, a));
+    const FixtureMotions &motions = table->motions;
+    const Pair &at = table->At(pair);
+    const double margin =
+        motions.RoundingMargin(at.a, at.b) + static_cast<double>(2.0f * kUnit * kErrorPerReach) *
+                                                 (ReachOf(motions[at.a]) + ReachOf(motions[at.b]));
+    // Of deep overlaps b2Distance says up to its rounding, which the skins must cover.
+    const double skins =
+        static_cast<double>(motions[at.a].radius) + static_cast<double>(motions[at.b].radius);
+    if (depth > margin + soon && skins >= margin)
+        table->Prove(pair, {0.0, 0.0}, depth, margin, false);
+    else
+        table->SetDue(pair);
+}
+
+/// A contact was updated, and its two polygons do not touch: gives its pair the budget that their distance
+/// allows, along the direction that is known already (the remembered edge's, that of a big polygon's memory,
+/// that of the bodies' structure), or along one that is found from there in a step. Leaves the pair due where
+/// that is no more than the margins.
+///
+/// What is proved is a distance of the vertices as they are, computed in double, so that it does not matter
+/// where the direction came from.
+void ProveApart(PairTable *table, uint32_t pair, SolidContact *contact) {
+    double soon;
+    if (!BeginProof(table, pair, &soon))
+        return;
+    const FixtureMotion &motionA = table->motions[table->At(pair).a],
+                        &motionB = table->motions[table->At(pair).b];
+    const Placed a(motionA), b(motionB);
+    const double threshold = ApartThreshold(*table, pair);
+    bmr_vec2 d = contact->GuessDirection();
+    if (!Normalize(&d)) {
+        d = bmr_sub(motionB.mover.center, motionA.mover.center);
+        if (!Normalize(&d)) {
+            table->SetDue(pair);
+            return;
+        }
+    }
+    Gap best = GapAlong(a, b, d);
+    bmr_vec2 closer = best.between;
+    // Where two corners face each other, or the guess is old, the line between what was found says more.
+    const double length = std::sqrt(bmr_dot(closer, closer));
+    if (length > threshold + soon && best.gap < 0.95 * length && Normalize(&closer)) {
+        const Gap other = GapAlong(a, b, closer);
+        if (other.gap > best.gap)
+            best = other;
+    }
+    if (!(best.gap > threshold + soon)) {
+        table->SetDue(pair);
+        return;
+    }
+    const int band = table->motions.Band(table->At(pair).a, table->At(pair).b);
+    table->Prove(pair, best.d, best.gap, threshold, KeepsFromImpact(motionA, motionB, band, threshold));
+    if (GetSettings().options.statistics)
+        contact->LeaveByLine();
+}
+
+/// Is polygon b beyond polygon a along this direction, of any length, where their bodies are?
+bool SeparatesAlong(const b2Fixture &a, const b2Fixture &b, bmr_vec2 d) {
+    const Placed placed[2] = {Placed(a, 0.0), Placed(b, 0.0)};
+    constexpr int32 kLeast = 3; // a polygon that was never Set has fewer
+    return placed[0].shape->m_count >= kLeast && placed[1].shape->m_count >= kLeast && Normalize(&d) &&
+           GapAlong(placed[0], placed[1], d).gap > 0.0;
+}
+
+/// Takes the result of an update into the state of a sensor's contact. `before`: GuessDirection() from ahead
+/// of the update.
+void TakeSensorResult(SolidContact *sensor, bmr_vec2 before) {
+    if (sensor->IsTouching()) {
+        sensor->TakeResult(ProofResult::Nothing);
+        return;
+    }
+    // If Box2D found the two apart, the direction is from another update, or there is none.
+    const bmr_vec2 now = sensor->GuessDirection();
+    if (SeparatesAlong(*sensor->GetFixtureA(), *sensor->GetFixtureB(), now))
+        sensor->TakeResult(now.x == before.x && now.y == before.y ? ProofResult::Remembered
+                                                                  : ProofResult::Another);
+}
 
 /// The contact of a sensor and another polygon, if statistics are on; otherwise nullptr.
 SolidContact *SensorWithEvents(b2Contact *contact) {
@@ -29,6 +286,12 @@ SolidContact *SensorWithEvents(b2Contact *contact) {
     SolidContact *ours = SolidContact::AsOurs(contact);
     return ours != nullptr && ours->IsOfPolygons() ? ours : nullptr;
 }
+
+} // namespace
+
+// A pass.
+
+namespace {
 
 /// Contacts of a step by Box2D's list.
 struct ListCounts {
@@ -46,7 +309,7 @@ inline bool Persists(b2ContactManager *manager, b2Contact *contact, ListCounts *
     }
     if (!IsActive(fixtureA->GetBody()) && !IsActive(fixtureB->GetBody()))
         return true;
-    if (!BoxesOverlap(manager, *contact))
+    if (!BoxesOverlap(*manager, *contact))
         return false;
     b2ContactListener *const listener = manager->m_contactListener;
     CallListener(listener, contact, UpdateContact(contact), [] {});
@@ -86,7 +349,6 @@ private:
     void Destroy(uint32_t i, b2Contact *contact);
     void Wake(const b2Body *body, uint32_t i);
     void Update(uint32_t i, b2Contact *contact);
-    void UpdateAndCall(b2Contact *contact);
     void Prove(uint32_t i, b2Contact *contact);
 
     void BeforeGame();
@@ -117,14 +379,6 @@ void CollidePass::AfterGame() {
     m_table->deferred.NoteGame();
     m_table->Distrust();
     m_table->deferred.Resume(m_at + 1);
-}
-
-/// b2Contact::Update, by the listener of this moment.
-void CollidePass::UpdateAndCall(b2Contact *contact) {
-    b2ContactListener *const listener = m_manager->m_contactListener;
-    const ContactChange change = UpdateContact(contact);
-    if (CallListener(listener, contact, change, [this] { BeforeGame(); }))
-        AfterGame();
 }
 
 /// The next pair that is due. Found for 64 pairs at a time; contacts are asked for from memory some
@@ -206,13 +460,16 @@ void CollidePass::Update(uint32_t i, b2Contact *contact) {
     m_table->deferred.NoteUpdated(i);
     SolidContact *const sensor = SensorWithEvents(contact);
     const bmr_vec2 before = sensor != nullptr ? sensor->GuessDirection() : bmr_vec2{0.0, 0.0};
-    UpdateAndCall(contact);
+    b2ContactListener *const listener = m_manager->m_contactListener; // of this moment
+    const ContactChange change = UpdateContact(contact);
+    if (CallListener(listener, contact, change, [this] { BeforeGame(); }))
+        AfterGame();
     if (m_table->WasLeft()) {
         m_next = contact->GetNext();
         return;
     }
     if (sensor != nullptr)
-        sensor->TakeSensorResult(before);
+        TakeSensorResult(sensor, before);
     for (const uint32_t row : {pair.a, pair.b})
         if (!motions.IsActive(row) && motions.IsActiveNow(row))
             Wake(motions[row].body, i);
@@ -265,7 +522,7 @@ void CollidePass::Visit(uint32_t i) {
         return;
     }
     const std::optional<bool> known = m_table->BoxesOverlap(i);
-    if (!(known.has_value() ? *known : BoxesOverlap(m_manager, *contact))) {
+    if (!(known.has_value() ? *known : BoxesOverlap(*m_manager, *contact))) {
         Destroy(i, contact);
         return;
     }

@@ -12,20 +12,19 @@
 
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
+#include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
 #include "start/install.h"
 
 /// @file
-/// What passes ask of a game, and what they ask and do of one contact.
+/// What passes ask of a game, and of one contact.
 
 namespace bmr {
 
 /// Is it a listener or a filter of the game's own? Those that worlds begin with are Box2D's, and do nothing.
-/// A bmr::ContactRecorder is not one of them: Box2D calls it, and it reads the contact of the call, the
-/// contact's fixtures and their bodies, but calls and changes nothing.
 inline bool IsOfGame(const b2ContactListener *listener) {
-    return listener != nullptr && listener != ListenerOfNewWorlds() && !IsRecorder(*listener);
+    return listener != nullptr && listener != ListenerOfNewWorlds();
 }
 inline bool IsOfGame(const b2ContactFilter *filter) {
     return filter != nullptr && filter != FilterOfNewWorlds();
@@ -88,18 +87,11 @@ inline bool IsActive(const b2Body *body) {
 }
 
 /// Do the fat boxes of the two still overlap?
-bool BoxesOverlap(b2ContactManager *manager, const b2Contact &contact);
-
-/// What an update changed, for CallListener.
-struct ContactChange {
-    bool touched, touches; ///< before, and behind it
-    bool isSensor;         ///< one of the two fixtures is
-    b2Manifold old;        ///< the manifold before, if the two touch
-};
-
-/// b2Contact::Update of any contact, but for the calls of the listener: the same manifold, impulses and
-/// flags, and bodies are woken where it wakes them. CallListener comes next.
-ContactChange UpdateContact(b2Contact *contact);
+inline bool BoxesOverlap(const b2ContactManager &manager, const b2Contact &contact) {
+    return manager.m_broadPhase.TestOverlap(
+        FixtureAccess::ProxyOf(contact.GetFixtureA(), contact.GetChildIndexA()),
+        FixtureAccess::ProxyOf(contact.GetFixtureB(), contact.GetChildIndexB()));
+}
 
 /// The calls of b2Contact::Update. `beforeGame()` is called ahead of each one that runs code of the game. Was
 /// there any? `listener`: of the moment ahead of the update. If it replaces itself in BeginContact, PreSolve

@@ -39,6 +39,28 @@ inline bool MayImpact(b2Contact *contact) {
     return MayHaveToi(contact) && (IsActive(BodyA(contact)) || IsActive(BodyB(contact)));
 }
 
+/// A guess of a direction along which the two are apart: the normal that they touch along, or what is
+/// remembered of two polygons. Of unit length, or zero.
+bmr_vec32 GuessDirection(const b2Contact &contact) {
+    const b2Manifold &manifold = *contact.GetManifold();
+    b2Vec2 d(0.0f, 0.0f);
+    if (manifold.pointCount > 0) {
+        const b2Transform &xfA = contact.GetFixtureA()->GetBody()->GetTransform(),
+                          &xfB = contact.GetFixtureB()->GetBody()->GetTransform();
+        if (manifold.type == b2Manifold::e_faceA)
+            d = b2Mul(xfA.q, manifold.localNormal);
+        else if (manifold.type == b2Manifold::e_faceB)
+            d = -b2Mul(xfB.q, manifold.localNormal);
+        else
+            d = b2Mul(xfB, manifold.points[0].localPoint) - b2Mul(xfA, manifold.localPoint);
+    } else if (const SolidContact *ours = SolidContact::AsOurs(&contact)) {
+        const bmr_vec2 known = ours->IsOfPolygons() ? ours->GuessDirection() : bmr_vec2{0.0, 0.0};
+        d.Set(static_cast<float>(known.x), static_cast<float>(known.y));
+    }
+    // (Normals may be written to in place.)
+    return d.Normalize() > 0.0f ? bmr_vec32{d.x, d.y} : bmr_vec32{0.0f, 0.0f};
+}
+
 } // namespace
 
 // The contacts that may have an impact.

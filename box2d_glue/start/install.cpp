@@ -37,8 +37,6 @@ namespace {
 std::atomic<const char *> theWay{"not ahead of Box2D"}, notAhead{nullptr};
 std::atomic<bool> announced{false};
 std::recursive_mutex processLock;
-std::atomic<const void *> tableOfRecorders{nullptr};
-int recorders = 0; ///< alive, of this table
 bool called = false;
 bool installed = false;
 const char *refusedWhy = nullptr;
@@ -161,25 +159,6 @@ bool IsAnnounced() {
 }
 
 HoldsProcessLock::HoldsProcessLock() : m_held(processLock) {}
-
-namespace internal {
-
-void TrustListener(const void *table, int change) {
-    const HoldsProcessLock lock;
-    const void *const known = tableOfRecorders.load(std::memory_order_relaxed);
-    if (known != nullptr && known != table)
-        return;
-    recorders += change;
-    tableOfRecorders.store(recorders > 0 ? table : nullptr, std::memory_order_relaxed);
-}
-
-} // namespace internal
-
-bool IsRecorder(const b2ContactListener &listener) {
-    const void *table;
-    std::memcpy(&table, static_cast<const void *>(&listener), sizeof table);
-    return table == tableOfRecorders.load(std::memory_order_relaxed);
-}
 
 // What the environment says.
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bmr::ContactRecorder, which the library takes for no code of the game: what is recorded is what is recorded
-// on stock Box2D.
+// bmr::ContactRecorder: what is recorded is what is recorded on stock Box2D.
 #include <boomerang/contact_recorder.h>
 
 #include "as_stock.h"

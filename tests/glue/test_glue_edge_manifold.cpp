@@ -7,7 +7,7 @@
 
 #include "as_stock.h"
 #include "box2d_shapes.h"
-#include "glue/contacts/edge_contact.h"
+#include "glue/contacts/solid_contact.h"
 #include "shapes/shapes32.h"
 #include "start/install.h"
 

@@ -7,8 +7,7 @@
 #include <box2d/b2_fixture.h>
 
 #include "glue/contacts/convex_contact.h"
-#include "glue/contacts/edge_contact.h"
-#include "glue/contacts/polygon_contact.h"
+#include "glue/contacts/solid_contact.h"
 #include "start/install.h"
 
 namespace bmr {

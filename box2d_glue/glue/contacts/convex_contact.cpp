@@ -122,17 +122,11 @@ bool ConvexContact::Serves(const b2Shape &a, const b2Shape &b) {
 
 void ConvexContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
     NoteOtherCaller();
-    const b2Manifold old = m_manifold; // most likely the one that is written
-    FillManifold(Ask(xfA, xfB), manifold, xfA, xfB, old);
+    Fill(manifold, xfA, xfB);
 }
 
-void ConvexContact::MakeManifold(bool touched, b2Manifold *old) {
-    const b2Transform &xfA = m_fixtureA->GetBody()->GetTransform(),
-                      &xfB = m_fixtureB->GetBody()->GetTransform();
-    const Answer answer = Ask(xfA, xfB);
-    if (touched || answer >= Answer::HandedOver)
-        *old = m_manifold;
-    FillManifold(answer, &m_manifold, xfA, xfB, *old);
+void ConvexContact::MakeManifold() {
+    Fill(&m_manifold, m_fixtureA->GetBody()->GetTransform(), m_fixtureB->GetBody()->GetTransform());
 }
 
 inline Answer ConvexContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
@@ -190,8 +184,9 @@ ProofResult ConvexContact::ResultOf(Answer answer, bool points, const b2Transfor
                : ProofResult::Nothing;
 }
 
-inline void ConvexContact::FillManifold(Answer answer, b2Manifold *manifold, const b2Transform &xfA,
-                                        const b2Transform &xfB, const b2Manifold &old) {
+void ConvexContact::Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    const b2Manifold old = m_manifold; // most likely the one that is written
+    const Answer answer = Ask(xfA, xfB);
     if (answer < Answer::HandedOver) {
         manifold->pointCount = 0;
     } else {

@@ -1,15 +1,93 @@
 // SPDX-License-Identifier: MIT
 #include "glue/contacts/solid_contact.h"
 
+#include <box2d/b2_chain_shape.h>
+#include <box2d/b2_collision.h>
+#include <box2d/b2_edge_shape.h>
+#include <box2d/b2_polygon_shape.h>
 #include <box2d/b2_world.h>
 
+#include "base/private_members.h"
+#include "base/rounding_mode.h"
 #include "debug/statistics.h"
+#include "debug/verify.h"
+#include "glue/contacts/convex_contact.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/pair_tables.h"
-#include "glue/proofs/apart_line.h"
+#include "shapes/big_polygons.h"
+#include "shapes/shapes32.h"
 #include "start/settings.h"
 
 namespace bmr {
+
+// An update.
+
+namespace {
+
+/// b2TestOverlap of a contact of which a fixture is a sensor.
+bool Overlaps(b2Contact *contact) {
+    const b2Fixture &a = *contact->GetFixtureA(), &b = *contact->GetFixtureB();
+    const int32 childA = contact->GetChildIndexA(), childB = contact->GetChildIndexB();
+    const b2Transform &poseA = a.GetBody()->GetTransform(), &poseB = b.GetBody()->GetTransform();
+    const auto ofBox2D = [&] {
+        return b2TestOverlap(a.GetShape(), childA, b.GetShape(), childB, poseA, poseB);
+    };
+    if (!RoundsToNearest())
+        return ofBox2D();
+    PolygonContact *const ours = PolygonContact::AsOurs(contact);
+    const Overlap answer = CertainOverlap(*a.GetShape(), childA, *b.GetShape(), childB, poseA, poseB,
+                                          ours != nullptr ? ours->Memory() : nullptr, contact->IsTouching());
+    if (answer == Overlap::kUnknown)
+        return ofBox2D();
+    Count(&Counts::overlapsAnswered);
+    return answer == Overlap::kOverlapping;
+}
+
+/// Points that were there before, by their features, keep the impulses that the solver starts from.
+void KeepImpulses(b2Manifold *manifold, const b2Manifold &old) {
+    for (int32 i = 0; i < manifold->pointCount; ++i) {
+        b2ManifoldPoint &point = manifold->points[i];
+        const b2ManifoldPoint *before = nullptr;
+        for (int32 j = old.pointCount; j-- > 0;) // the first of equals, should there be any, is taken last
+            if (old.points[j].id.key == point.id.key)
+                before = &old.points[j];
+        point.normalImpulse = before != nullptr ? before->normalImpulse : 0.0f;
+        point.tangentImpulse = before != nullptr ? before->tangentImpulse : 0.0f;
+    }
+}
+
+} // namespace
+
+ContactChange UpdateContact(b2Contact *contact) {
+    ContactChange change;
+    b2Fixture *const a = contact->GetFixtureA(), *const b = contact->GetFixtureB();
+    b2Manifold &manifold = *contact->GetManifold();
+    change.touched = contact->IsTouching();
+    change.isSensor = a->IsSensor() || b->IsSensor();
+    ContactAccess::Flags(contact) |= ContactAccess::kEnabled;
+    if (change.isSensor) {
+        change.touches = Overlaps(contact);
+        manifold.pointCount = 0;
+    } else {
+        change.old = manifold;
+        if (SolidContact *const ours = SolidContact::AsOurs(contact))
+            ours->MakeManifold();
+        else
+            contact->Evaluate(&manifold, a->GetBody()->GetTransform(), b->GetBody()->GetTransform());
+        KeepImpulses(&manifold, change.old);
+        change.touches = manifold.pointCount > 0;
+    }
+    if (change.touches != change.touched) {
+        if (!change.isSensor) {
+            a->GetBody()->SetAwake(true);
+            b->GetBody()->SetAwake(true);
+        }
+        ContactAccess::Flags(contact) ^= ContactAccess::kTouching;
+    }
+    if (Verifying())
+        VerifyContact(*contact);
+    return change;
+}
 
 namespace {
 
@@ -33,26 +111,6 @@ bmr_vec2 SolidContact::GuessDirection() const {
     return ofHulls.x != 0.0 || ofHulls.y != 0.0 ? ofHulls : KnownDirection();
 }
 
-bmr_vec32 GuessDirection(const b2Contact &contact) {
-    const b2Manifold &manifold = *contact.GetManifold();
-    b2Vec2 d(0.0f, 0.0f);
-    if (manifold.pointCount > 0) {
-        const b2Transform &xfA = contact.GetFixtureA()->GetBody()->GetTransform(),
-                          &xfB = contact.GetFixtureB()->GetBody()->GetTransform();
-        if (manifold.type == b2Manifold::e_faceA)
-            d = b2Mul(xfA.q, manifold.localNormal);
-        else if (manifold.type == b2Manifold::e_faceB)
-            d = -b2Mul(xfB.q, manifold.localNormal);
-        else
-            d = b2Mul(xfB, manifold.points[0].localPoint) - b2Mul(xfA, manifold.localPoint);
-    } else if (const SolidContact *ours = SolidContact::AsOurs(&contact)) {
-        const bmr_vec2 known = ours->IsOfPolygons() ? ours->GuessDirection() : bmr_vec2{0.0, 0.0};
-        d.Set(static_cast<float>(known.x), static_cast<float>(known.y));
-    }
-    // (Normals may be written to in place.)
-    return d.Normalize() > 0.0f ? bmr_vec32{d.x, d.y} : bmr_vec32{0.0f, 0.0f};
-}
-
 void SolidContact::NoteOtherCaller() const {
     PairTable *const table = PairTableOf(*this);
     if (table == nullptr)
@@ -60,6 +118,149 @@ void SolidContact::NoteOtherCaller() const {
     table->deferred.NoteGame(); // it may be the game that asks, in the midst of a call
     table->Flag(this, 0);
 }
+
+// Two polygons of Box2D's own size.
+
+namespace {
+
+const b2PolygonShape &PolygonShapeOf(const b2Fixture *fixture) {
+    return *static_cast<const b2PolygonShape *>(fixture->GetShape());
+}
+
+/// Set makes polygons of 3 vertices and more; a polygon that was never Set has none.
+bool HasCornersOfBox2D(const b2PolygonShape &shape) {
+    return shape.m_count >= 3 && shape.m_count <= b2_maxPolygonVertices;
+}
+
+/// `edgeFound`: an edge was searched, and separates the two. (So it may in the end of two that were taken for
+/// touching.)
+ProofResult ResultOf(Answer answer, bool edgeFound) {
+    if (edgeFound)
+        return ProofResult::Another;
+    return answer == Answer::ApartByEdge ? ProofResult::Remembered : ProofResult::Nothing;
+}
+
+} // namespace
+
+bool PolygonContact::Serves(const b2Shape &a, const b2Shape &b) {
+    return !AnyBigPolygon() || (BigPolygonOf(a) == nullptr && BigPolygonOf(b) == nullptr);
+}
+
+void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    NoteOtherCaller();
+    Fill(manifold, xfA, xfB);
+}
+
+void PolygonContact::MakeManifold() {
+    Fill(&m_manifold, m_fixtureA->GetBody()->GetTransform(), m_fixtureB->GetBody()->GetTransform());
+}
+
+/// b2PolygonContact::Evaluate. Ahead of it the edge that is remembered is asked, or the structure of the two
+/// bodies. Not if the two touched at the last update: most likely they touch still. (Then their own manifold
+/// has points; the caller's may be uninitialised.)
+inline void PolygonContact::Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    const bool toNearest = RoundsToNearest(), hulls = PairsAreHulls();
+    Answer answer = m_manifold.pointCount > 0 ? Answer::Touching : Answer::HandedOver;
+    if (answer == Answer::HandedOver && toNearest &&
+        (hulls ? HullsSayApart(xfA, xfB) : EdgeSeparates(xfA, xfB)))
+        answer = hulls ? Answer::ApartByPair : Answer::ApartByEdge;
+    const b2PolygonShape &a = PolygonShapeOf(m_fixtureA), &b = PolygonShapeOf(m_fixtureB);
+    const bool here = toNearest && HasCornersOfBox2D(a) && HasCornersOfBox2D(b);
+    bool edgeFound = false;
+    if (answer < Answer::HandedOver)
+        manifold->pointCount = 0;
+    else if (here)
+        edgeFound = Search(manifold, xfA, xfB);
+    else
+        b2CollidePolygons(manifold, &a, xfA, &b, xfB);
+    if (edgeFound && answer == Answer::HandedOver)
+        answer = Answer::ApartBySearch;
+    if (!GetSettings().options.statistics)
+        return;
+    if (!hulls) { // else the structure of the two bodies has events
+        TakeResult(ResultOf(answer, edgeFound));
+        if (answer < Answer::Touching)
+            Count(&Counts::edgeChecks);
+    }
+    ReportAnswer(*this, answer, here);
+}
+
+/// b2CollidePolygons; where a face separates the two, remembers it and returns true.
+inline bool PolygonContact::Search(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    constexpr float kTolerance = 0.1f * b2_linearSlop; // Box2D's: B's face must be better by this
+    const bmr_polygon32 a = Polygon32(PolygonShapeOf(m_fixtureA)), b = Polygon32(PolygonShapeOf(m_fixtureB));
+    const int32_t edge = bmr_exact32_collide(Manifold32(manifold), &a, Transform32(xfA), &b, Transform32(xfB),
+                                             RadiusSum(), kTolerance);
+    // (With Options::pairsBy no update asks this edge: it is the direction of the pair's line.)
+    state.edge.ofB = edge >= BMR_EDGES_OF_B32;
+    state.edge.number = static_cast<uint8_t>(edge == BMR_NO_EDGE32 ? kNoEdge : edge & (BMR_EDGES_OF_B32 - 1));
+    return edge != BMR_NO_EDGE32;
+}
+
+/// Box2D's own test, on the remembered edge alone: where that edge's separation is larger than the radii, so
+/// is the largest.
+inline bool PolygonContact::EdgeSeparates(const b2Transform &xfA, const b2Transform &xfB) const {
+    const EdgeMemory &memory = state.edge;
+    const b2PolygonShape &owner = PolygonShapeOf(memory.ofB ? m_fixtureB : m_fixtureA),
+                         &other = PolygonShapeOf(memory.ofB ? m_fixtureA : m_fixtureB);
+    // Also where no edge is remembered; and vertices may have been edited in place: the edge may be gone.
+    if (memory.number >= owner.m_count)
+        return false;
+    const float separation = bmr_exact32_posed_separation(
+        Vectors32(owner.m_vertices) + memory.number, Vectors32(owner.m_normals) + memory.number,
+        Transform32(memory.ofB ? xfB : xfA), Vectors32(other.m_vertices), other.m_count,
+        Transform32(memory.ofB ? xfA : xfB));
+    return separation > RadiusSum();
+}
+
+bmr_vec2 PolygonContact::KnownDirection() const {
+    const EdgeMemory &memory = state.edge;
+    const bool ofB = memory.ofB;
+    const b2Fixture *owner = ofB ? m_fixtureB : m_fixtureA;
+    if (memory.isVertex || memory.number >= PolygonShapeOf(owner).m_count)
+        return {0.0, 0.0};
+    const b2Vec2 normal =
+        b2Mul(owner->GetBody()->GetTransform().q, PolygonShapeOf(owner).m_normals[memory.number]);
+    const bmr_vec2 d = {static_cast<double>(normal.x), static_cast<double>(normal.y)};
+    return ofB ? bmr_neg(d) : d;
+}
+
+// An edge or a link of a chain, and a polygon.
+
+bool EdgeContact::Serves(const b2Shape & /*a*/, const b2Shape &b) {
+    return BigPolygonOf(b) == nullptr;
+}
+
+/// False where Box2D must do it.
+inline bool EdgeContact::EvaluateHere(b2Manifold *manifold, const b2Transform &xfA,
+                                      const b2Transform &xfB) const {
+    const b2PolygonShape &polygon = PolygonShapeOf(m_fixtureB);
+    if (polygon.m_count < 3 || polygon.m_count > b2_maxPolygonVertices || !RoundsToNearest())
+        return false;
+    const bmr_edge32 edge = EdgeOf(m_fixtureA, m_indexA);
+    const bmr_polygon32 other = Polygon32(polygon);
+    return bmr_exact32_collide_edge(Manifold32(manifold), &edge, Transform32(xfA), &other,
+                                    *Vectors32(&polygon.m_centroid), Transform32(xfB),
+                                    polygon.m_radius + m_fixtureA->GetShape()->m_radius);
+}
+
+void EdgeContact::EvaluateByBox2D(b2Manifold *manifold, const b2Transform &xfA,
+                                  const b2Transform &xfB) const {
+    const b2Shape *const shape = m_fixtureA->GetShape();
+    b2EdgeShape link;
+    if (shape->m_type == b2Shape::e_chain)
+        static_cast<const b2ChainShape *>(shape)->GetChildEdge(&link, m_indexA);
+    b2CollideEdgeAndPolygon(
+        manifold, shape->m_type == b2Shape::e_chain ? &link : static_cast<const b2EdgeShape *>(shape), xfA,
+        &PolygonShapeOf(m_fixtureB), xfB);
+}
+
+void EdgeContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    if (!EvaluateHere(manifold, xfA, xfB))
+        EvaluateByBox2D(manifold, xfA, xfB);
+}
+
+// The events of a contact.
 
 namespace {
 
@@ -110,17 +311,6 @@ void SolidContact::TakeResult(ProofResult result) {
 void SolidContact::LeaveByLine() {
     if (state.certificate == CertificateState::Contact)
         TakeResult(ProofResult::Another);
-}
-
-void SolidContact::TakeSensorResult(bmr_vec2 before) {
-    if (IsTouching()) {
-        TakeResult(ProofResult::Nothing);
-        return;
-    }
-    // If Box2D found the two apart, the direction is from another update, or there is none.
-    const bmr_vec2 now = GuessDirection();
-    if (SeparatesAlong(*m_fixtureA, *m_fixtureB, now))
-        TakeResult(now.x == before.x && now.y == before.y ? ProofResult::Remembered : ProofResult::Another);
 }
 
 } // namespace bmr

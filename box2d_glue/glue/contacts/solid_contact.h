@@ -142,9 +142,8 @@ public:
 
     float RadiusSum() const { return m_fixtureA->GetShape()->m_radius + m_fixtureB->GetShape()->m_radius; }
 
-    /// Makes the manifold anew, without impulses, of two fixtures that are no sensors. `old` is what it was,
-    /// unless the contact did not touch (`touched`) and does not now.
-    virtual void MakeManifold(bool touched, b2Manifold *old) = 0;
+    /// Makes the manifold anew, without impulses, of two fixtures that are no sensors.
+    virtual void MakeManifold() = 0;
 
     /// The direction that this contact remembers itself, in the world, from A to B. Zero if there is none.
     virtual bmr_vec2 KnownDirection() const = 0;
@@ -158,9 +157,6 @@ public:
     void TakeResult(ProofResult result);
     /// The same of a contact that was handed over, and of which the table now has a line.
     void LeaveByLine();
-    /// The same of a sensor's contact, behind its update by Box2D. `before`: GuessDirection() from ahead of
-    /// it.
-    void TakeSensorResult(bmr_vec2 before);
 
     ContactState state;
 
@@ -181,11 +177,68 @@ private:
     static uint32 FlagsOf(const b2Contact &contact) { return contact.*(&SolidContact::m_flags); }
 };
 
-/// The same of any contact, for impacts: the normal that the two touch along, or what is remembered of two
-/// polygons. Of unit length, or zero.
-bmr_vec32 GuessDirection(const b2Contact &contact);
+/// Box2D's polygon contact with a separation proof in front. Its results are those of stock's to the bit.
+/// It serves polygons of Box2D's own size alone.
+class PolygonContact final : public SolidContact, public ContactClass<PolygonContact> {
+public:
+    // For the contact register.
+    static bool Serves(const b2Shape &a, const b2Shape &b);
 
-static_assert(sizeof(SolidContact) <= 224, "must stay in the block class of a stock contact");
+    using ContactClass<PolygonContact>::AsOurs;
+
+    void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
+    void MakeManifold() override;
+    /// The remembered edge's.
+    bmr_vec2 KnownDirection() const override;
+
+    /// The edge that is asked first.
+    EdgeMemory *Memory() { return &state.edge; }
+
+private:
+    friend class ContactClass<PolygonContact>;
+    PolygonContact() = default;
+    PolygonContact(b2Fixture *fixtureA, int32 indexA, b2Fixture *fixtureB, int32 indexB)
+        : SolidContact(fixtureA, indexA, fixtureB, indexB) {
+        state.edge.number = kNoEdge;
+    }
+
+    void Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
+    bool Search(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
+    bool EdgeSeparates(const b2Transform &xfA, const b2Transform &xfB) const;
+};
+
+/// A contact of an edge, or a link of a chain, with a polygon of up to 8 vertices: as Box2D's own contact,
+/// with b2CollideEdgeAndPolygon's manifold made in lanes.
+class EdgeContact final : public b2Contact, public ContactClass<EdgeContact> {
+public:
+    // For the contact register. `fixtureA` is the edge or the chain.
+    static bool Serves(const b2Shape &a, const b2Shape &b);
+
+    using ContactClass<EdgeContact>::AsOurs;
+
+    void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
+
+private:
+    friend class ContactClass<EdgeContact>;
+    EdgeContact() = default;
+    using b2Contact::b2Contact;
+
+    bool EvaluateHere(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) const;
+    void EvaluateByBox2D(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) const;
+};
+
+/// What an update changed, for CallListener.
+struct ContactChange {
+    bool touched, touches; ///< before, and behind it
+    bool isSensor;         ///< one of the two fixtures is
+    b2Manifold old;        ///< the manifold before, if the two touch
+};
+
+/// b2Contact::Update of any contact, but for the calls of the listener: the same manifold, impulses and
+/// flags, and bodies are woken where it wakes them. CallListener comes next.
+ContactChange UpdateContact(b2Contact *contact);
+
+static_assert(sizeof(PolygonContact) <= 224, "must stay in the block class of a stock contact");
 
 } // namespace bmr
 

@@ -12,21 +12,6 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_world.h>
 
-#include "start/install.h"
-
-// Compiled with Box2D, the recorder and the glue are in one program. As a library of its own it finds the
-// plugin where the program has loaded one.
-#if defined(BMR_RENAMED)
-#    define BMR_MEETS_PLUGIN 1
-#elif defined(__ELF__)
-#    define BMR_MEETS_PLUGIN (&internal::TrustListener != nullptr)
-namespace bmr::internal {
-BMR_BOX2D_API void TrustListener(const void *table, int change) __attribute__((weak));
-}
-#else
-#    define BMR_MEETS_PLUGIN 0
-#endif
-
 namespace bmr {
 
 namespace {
@@ -80,13 +65,6 @@ ContactSide SideB(b2Contact *contact) {
     return SideOf(contact->GetFixtureB(), contact->GetChildIndexB());
 }
 
-/// The first word of an object, on every ABI that Box2D runs on.
-const void *TableOf(const b2ContactListener &listener) {
-    const void *table;
-    std::memcpy(&table, static_cast<const void *>(&listener), sizeof table);
-    return table;
-}
-
 } // namespace
 
 struct ContactRecorder::Room {
@@ -126,13 +104,9 @@ struct ContactRecorder::Room {
 ContactRecorder::ContactRecorder() noexcept : m_hitThreshold(std::numeric_limits<float>::infinity()) {
     for (Room *&room : m_rooms)
         room = Room::Make();
-    if (BMR_MEETS_PLUGIN)
-        internal::TrustListener(TableOf(*this), 1);
 }
 
 ContactRecorder::~ContactRecorder() {
-    if (BMR_MEETS_PLUGIN)
-        internal::TrustListener(TableOf(*this), -1);
     for (Room *room : m_rooms)
         Room::Unmake(room);
 }

@@ -74,10 +74,8 @@ struct ContactEvents {
     int32 lost; ///< events for which there was no memory
 };
 
-/// A contact listener that records each call and does nothing else. The plugin knows its class and does not
-/// take it for code of the game: a step then costs what it costs without a listener, while any other
-/// listener, also one that only counts, costs a part of what the plugin saves. A recorder records the
-/// same with the plugin and without it.
+/// A contact listener that records each call and does nothing else. To the plugin it is a listener like any
+/// other. A recorder records the same with the plugin and without it.
 ///
 /// It only records. A game that decides in the middle of a step (to disable a contact in PreSolve, to change
 /// friction) needs a listener of its own.
