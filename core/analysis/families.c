@@ -6,8 +6,9 @@
 #include <string.h>
 
 #include "analysis/family_paths.h"
-#include "analysis/random.h"
 #include "geometry/memory.h"
+
+#include <gsl/gsl_randist.h>
 
 #define PI 3.14159265358979323846
 /// The separation measured is within this part of sigma when the search ends ..

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The paths of the families of motion, each a function of one free parameter.
 #include "analysis/family_paths.h"
+#include "geometry/memory.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define PI 3.14159265358979323846
@@ -23,8 +25,10 @@
 /// The largest angle that a leg turns by: its rational rotation is smooth far beyond.
 #define LEG_ANGLE 1.0
 
-bmr_vec2 bmr_place_at_gap(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *turn,
-                          bmr_vec2 direction, double gap) {
+/// Where B's frame must be, in the rotation of `turn`, for the two supports in the unit direction to be `gap`
+/// apart.
+static bmr_vec2 place_at_gap(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *turn,
+                             bmr_vec2 direction, double gap) {
     const bmr_vec2 on_a = a->vertices[bmr_polygon_support(a, direction)];
     const bmr_vec2 on_b = b->vertices[bmr_polygon_support(b, bmr_neg(bmr_unrotate(turn, direction)))];
     return bmr_add(bmr_sub(on_a, bmr_rotate(turn, on_b)), bmr_scale(gap, direction));
@@ -52,7 +56,8 @@ bmr_error bmr_path_finish(bmr_error error, bmr_motion *motions[2]) {
     return error;
 }
 
-bmr_algebraic_piece bmr_path_still(bmr_pose pose) {
+/// An algebraic piece that rests at the pose.
+static bmr_algebraic_piece still_at(bmr_pose pose) {
     bmr_algebraic_piece p;
     memset(&p, 0, sizeof p);
     p.x[0] = pose.position.x;
@@ -63,7 +68,8 @@ bmr_algebraic_piece bmr_path_still(bmr_pose pose) {
     return p;
 }
 
-bmr_error bmr_path_append(bmr_motion *motion, double time, const bmr_algebraic_piece *algebraic) {
+/// Adds a piece to a motion from `time` on, its origin there.
+static bmr_error append_piece(bmr_motion *motion, double time, const bmr_algebraic_piece *algebraic) {
     bmr_motion_piece piece;
     memset(&piece, 0, sizeof piece);
     piece.kind = BMR_PIECE_ALGEBRAIC;
@@ -76,7 +82,7 @@ static const bmr_pose at_origin = {{0.0, 0.0}, 1.0, 0.0};
 
 bmr_error bmr_path_pass(const bmr_family_plan *plan, double gap, const bmr_allocator *allocator,
                         bmr_motion *motions[2]) {
-    const bmr_vec2 near_place = bmr_place_at_gap(plan->a, plan->b, &plan->turn, plan->toward, gap);
+    const bmr_vec2 near_place = place_at_gap(plan->a, plan->b, &plan->turn, plan->toward, gap);
     const bmr_vec2 along = bmr_left(plan->toward);
     const double reach = PASS_LENGTH * plan->diameter;
     bmr_motion_piece piece;
@@ -87,7 +93,7 @@ bmr_error bmr_path_pass(const bmr_family_plan *plan, double gap, const bmr_alloc
     piece.kind = BMR_PIECE_ALGEBRAIC;
     piece.origin = 0.5;
     bmr_algebraic_piece *p = &piece.as.algebraic;
-    *p = bmr_path_still(middle);
+    *p = still_at(middle);
     p->degree = plan->bend > 0.0 ? 2 : 1;
     p->x[1] = 2.0 * reach * along.x;
     p->y[1] = 2.0 * reach * along.y;
@@ -105,7 +111,7 @@ bmr_error bmr_path_polynomial(const bmr_family_plan *plan, double scale, const b
     piece.kind = BMR_PIECE_ALGEBRAIC;
     piece.origin = 0.5;
     bmr_algebraic_piece *p = &piece.as.algebraic;
-    *p = bmr_path_still(plan->turn);
+    *p = still_at(plan->turn);
     p->degree = plan->degree;
     double power = 1.0; // from the half time -1 .. 1 to time - origin
     for (size_t k = 0; k <= plan->degree; k++, power *= 2.0) {
@@ -120,7 +126,7 @@ bmr_error bmr_path_polynomial(const bmr_family_plan *plan, double scale, const b
     if (plan->family == BMR_FAMILY_RIGID_ALGEBRAIC) {
         a.origin = 0.5;
         a.kind = BMR_PIECE_ALGEBRAIC;
-        a.as.algebraic = bmr_path_still(at_origin);
+        a.as.algebraic = still_at(at_origin);
         a.as.algebraic.rotation_degree = 2;
         a.as.algebraic.b[1] = 2.0 * plan->half_turn[0];
         a.as.algebraic.b[2] = 4.0 * plan->half_turn[1];
@@ -141,7 +147,7 @@ bmr_error bmr_path_spin(const bmr_family_plan *plan, double distance, const bmr_
 /// From pose to pose in one leg: straight, and turning by the rational rotation whose half angle has a
 /// linear tangent.
 static bmr_error append_leg(bmr_motion *motion, double time, double duration, bmr_pose from, bmr_pose to) {
-    bmr_algebraic_piece p = bmr_path_still(from);
+    bmr_algebraic_piece p = still_at(from);
     p.degree = 1;
     p.x[1] = (to.position.x - from.position.x) / duration;
     p.y[1] = (to.position.y - from.position.y) / duration;
@@ -150,7 +156,7 @@ static bmr_error append_leg(bmr_motion *motion, double time, double duration, bm
         p.rotation_degree = 1;
         p.b[1] = tan(0.5 * atan2(s, c)) / duration;
     }
-    return bmr_path_append(motion, time, &p);
+    return append_piece(motion, time, &p);
 }
 
 static bmr_pose turned(bmr_pose pose, double angle) {
@@ -195,11 +201,11 @@ static bmr_error walk(walker *w, bmr_pose start, walk_step next, const bmr_alloc
             error = append_leg(motions[0], time, duration, at.a, to.a);
         at = to;
     }
-    const bmr_algebraic_piece still_a = bmr_path_still(at.a), still_b = bmr_path_still(at.b);
+    const bmr_algebraic_piece still_a = still_at(at.a), still_b = still_at(at.b);
     if (error == BMR_OK)
-        error = bmr_path_append(motions[1], 1.0, &still_b);
+        error = append_piece(motions[1], 1.0, &still_b);
     if (rigid && error == BMR_OK)
-        error = bmr_path_append(motions[0], 1.0, &still_a);
+        error = append_piece(motions[0], 1.0, &still_a);
     return bmr_path_finish(error, motions);
 }
 
@@ -209,7 +215,7 @@ static bmr_pose zigzag_pose(const walker *w, size_t k) {
     const double angle = start + 2.0 * PI * (double)k / (double)plan->steps;
     const double out = k % 2 ? ZIGZAG_DEPTH * plan->diameter : 0.0;
     bmr_pose pose = plan->turn;
-    pose.position = bmr_place_at_gap(plan->a, plan->b, &plan->turn, direction_of(angle), w->parameter + out);
+    pose.position = place_at_gap(plan->a, plan->b, &plan->turn, direction_of(angle), w->parameter + out);
     return pose;
 }
 static place zigzag_step(walker *w, place at, size_t k) {
@@ -252,7 +258,7 @@ bmr_error bmr_path_brownian(const bmr_family_plan *plan, double gap, const bmr_a
                             bmr_motion *motions[2]) {
     walker w = {plan, gap, 0.0, 0.0};
     bmr_pose start = plan->turn;
-    start.position = bmr_place_at_gap(plan->a, plan->b, &plan->turn, plan->toward, gap);
+    start.position = place_at_gap(plan->a, plan->b, &plan->turn, plan->toward, gap);
     return walk(&w, start, brownian_step, allocator, motions);
 }
 
@@ -277,7 +283,7 @@ static place wander_step(walker *w, place at, size_t k) {
     // The place is found in A's frame, where B is turned against A.
     const bmr_pose turn = bmr_pose_relative(&at.a, &plan->turn);
     const bmr_vec2 direction = bmr_unrotate(&at.a, direction_of(w->angle));
-    at.b.position = bmr_rotate(&at.a, bmr_place_at_gap(plan->a, plan->b, &turn, direction, gap));
+    at.b.position = bmr_rotate(&at.a, place_at_gap(plan->a, plan->b, &turn, direction, gap));
     return at;
 }
 bmr_error bmr_path_wander(const bmr_family_plan *plan, double gap, const bmr_allocator *allocator,
@@ -285,6 +291,153 @@ bmr_error bmr_path_wander(const bmr_family_plan *plan, double gap, const bmr_all
     const double far = fmax(WANDER_FAR * plan->diameter, plan->sigma);
     walker w = {plan, gap, atan2(plan->toward.y, plan->toward.x), 0.5 * log(far / plan->sigma)};
     bmr_pose start = plan->turn;
-    start.position = bmr_place_at_gap(plan->a, plan->b, &plan->turn, plan->toward, gap * exp(w.log_gap));
+    start.position = place_at_gap(plan->a, plan->b, &plan->turn, plan->toward, gap * exp(w.log_gap));
     return walk(&w, start, wander_step, allocator, motions);
+}
+
+// ---- once around A, at a fixed distance ----
+//
+// Once around A at a fixed distance: B's frame follows the offset of the Minkowski sum A + (-B), whose
+// boundary is made of both polygons' edges and of arcs about pairs of vertices.
+
+/// An arc piece is a cubic; up to this angle it is off the circle by less than 1e-6 of the radius.
+#define ARC_ANGLE (PI / 8.0)
+/// Directions nearer than this are one.
+#define SAME_ANGLE 1e-12
+
+/// An outer normal of the sum, and whose edge it is.
+typedef struct side {
+    double angle;
+    uint32_t edge;
+    int owner; ///< 0: A's, 1: B's
+} side;
+
+static int compare_sides(const void *p, const void *q) {
+    const side *s = p, *t = q;
+    if (s->angle != t->angle)
+        return s->angle < t->angle ? -1 : 1;
+    return s->owner != t->owner ? s->owner - t->owner : (s->edge > t->edge) - (s->edge < t->edge);
+}
+
+static size_t edge_count(const bmr_polygon *p) {
+    return p->count > 1 ? p->count : 0;
+}
+
+typedef struct orbit {
+    bmr_motion *motion;
+    bmr_pose at; ///< of B's frame
+    double time; ///< reached so far
+    double gap;
+    double perimeter; ///< of the sum
+    bmr_error error;
+} orbit;
+
+/// Half the time goes with the length of edges, half with the angle: both stay well above the resolution of
+/// time, however small the gap.
+static void append_edge(orbit *o, bmr_vec2 by) {
+    const double duration = 0.5 * hypot(by.x, by.y) / o->perimeter;
+    if (o->error != BMR_OK || !(o->time + duration > o->time))
+        return;
+    bmr_algebraic_piece p = still_at(o->at);
+    p.degree = 1;
+    p.x[1] = by.x / duration;
+    p.y[1] = by.y / duration;
+    o->error = append_piece(o->motion, o->time, &p);
+    o->time += duration;
+    o->at.position = bmr_add(o->at.position, by);
+}
+
+/// A cubic with the circle's tangents at both ends, and its middle on the circle.
+static void append_arc_piece(orbit *o, double from, double angle) {
+    const double duration = 0.5 * angle / (2.0 * PI);
+    if (o->error != BMR_OK || !(o->time + duration > o->time))
+        return;
+    const bmr_vec2 u = {cos(from), sin(from)}, v = {cos(from + angle), sin(from + angle)};
+    const double handle = 4.0 * tan(0.25 * angle); // three times the Bezier handle
+    const bmr_vec2 d0 = bmr_scale(o->gap * handle, bmr_left(u)), d1 = bmr_scale(o->gap * handle, bmr_left(v));
+    const bmr_vec2 chord = bmr_scale(o->gap, bmr_sub(v, u));
+    bmr_algebraic_piece p = still_at(o->at);
+    p.degree = 3;
+    const double t = 1.0 / duration;
+    p.x[1] = d0.x * t;
+    p.y[1] = d0.y * t;
+    p.x[2] = (3.0 * chord.x - 2.0 * d0.x - d1.x) * t * t;
+    p.y[2] = (3.0 * chord.y - 2.0 * d0.y - d1.y) * t * t;
+    p.x[3] = (d0.x + d1.x - 2.0 * chord.x) * t * t * t;
+    p.y[3] = (d0.y + d1.y - 2.0 * chord.y) * t * t * t;
+    o->error = append_piece(o->motion, o->time, &p);
+    o->time += duration;
+    o->at.position = bmr_add(o->at.position, chord);
+}
+
+static void append_arc(orbit *o, double from, double angle) {
+    if (!(angle > SAME_ANGLE))
+        return;
+    const int pieces = (int)ceil(angle / ARC_ANGLE);
+    for (int i = 0; i < pieces; i++)
+        append_arc_piece(o, from + angle * i / pieces, angle / pieces);
+}
+
+/// The sides of A + (-B) in the order of their angles, B turned; returns the perimeter.
+static double collect_sides(const bmr_family_plan *plan, side *sides) {
+    double perimeter = 0.0;
+    size_t k = 0;
+    for (int owner = 0; owner < 2; owner++) {
+        const bmr_polygon *p = owner == 0 ? plan->a : plan->b;
+        for (uint32_t i = 0; i < edge_count(p); i++) {
+            const bmr_vec2 normal = bmr_polygon_normal(p, i),
+                           edge = bmr_sub(p->vertices[(i + 1) % p->count], p->vertices[i]);
+            const bmr_vec2 n = owner == 0 ? normal : bmr_neg(bmr_rotate(&plan->turn, normal));
+            const side s = {atan2(n.y, n.x), i, owner};
+            sides[k++] = s;
+            perimeter += hypot(edge.x, edge.y);
+        }
+    }
+    qsort(sides, k, sizeof *sides, compare_sides);
+    return perimeter;
+}
+
+static void go_round(orbit *o, const bmr_family_plan *plan, const side *sides, size_t count) {
+    double angle = sides[0].angle;
+    for (size_t k = 0; k < count; k++) {
+        append_arc(o, angle, sides[k].angle - angle);
+        angle = sides[k].angle;
+        const bmr_polygon *p = sides[k].owner == 0 ? plan->a : plan->b;
+        const uint32_t i = sides[k].edge;
+        const bmr_vec2 edge = bmr_sub(p->vertices[(i + 1) % p->count], p->vertices[i]);
+        append_edge(o, sides[k].owner == 0 ? edge : bmr_neg(bmr_rotate(&plan->turn, edge)));
+    }
+    append_arc(o, angle, sides[0].angle + 2.0 * PI - angle);
+}
+
+/// B's frame where the first side begins: the last vertices of both before its direction.
+static bmr_vec2 start_of(const bmr_family_plan *plan, const side *sides, size_t count, double gap) {
+    // In the middle of the gap before the first side no edge ties.
+    const double before = sides[count - 1].angle - 2.0 * PI, middle = 0.5 * (before + sides[0].angle);
+    const bmr_vec2 u = {cos(middle), sin(middle)}, first = {cos(sides[0].angle), sin(sides[0].angle)};
+    const bmr_vec2 corner = place_at_gap(plan->a, plan->b, &plan->turn, u, 0.0);
+    return bmr_add(corner, bmr_scale(gap, first));
+}
+
+bmr_error bmr_path_orbit(const bmr_family_plan *plan, double gap, const bmr_allocator *allocator,
+                         bmr_motion *motions[2]) {
+    const size_t count = edge_count(plan->a) + edge_count(plan->b), bytes = (count + 1) * sizeof(side);
+    side *sides = bmr_allocate(allocator, bytes);
+    if (!sides)
+        return BMR_ERROR_NO_MEMORY;
+    const double perimeter = collect_sides(plan, sides);
+    bmr_pose start = plan->turn;
+    start.position = start_of(plan, sides, count, gap);
+    const bmr_motion_piece rest_a = bmr_piece_rest(bmr_pose_identity()), rest_b = bmr_piece_rest(start);
+    bmr_error error = bmr_path_pieces(&rest_a, &rest_b, allocator, motions);
+    if (error == BMR_OK) {
+        orbit o = {motions[1], start, 0.0, gap, perimeter, BMR_OK};
+        go_round(&o, plan, sides, count);
+        const bmr_algebraic_piece end = still_at(o.at);
+        if (o.error == BMR_OK)
+            o.error = append_piece(o.motion, fmax(o.time, 1.0), &end);
+        error = bmr_path_finish(o.error, motions);
+    }
+    bmr_release(allocator, sides, bytes);
+    return error;
 }

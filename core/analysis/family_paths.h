@@ -48,17 +48,12 @@ bmr_error bmr_path_wander(const bmr_family_plan *plan, double gap, const bmr_all
 bmr_error bmr_path_orbit(const bmr_family_plan *plan, double gap, const bmr_allocator *allocator,
                          bmr_motion *motions[2]);
 
-/// Where B's frame must be, in the rotation of `turn`, for the two supports in the unit direction to be `gap`
-/// apart.
-bmr_vec2 bmr_place_at_gap(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *turn,
-                          bmr_vec2 direction, double gap);
+/// A generator of this seed, to be given to gsl_rng_free; NULL if there is no memory (GSL's handler, which
+/// would abort, is kept off).
+gsl_rng *bmr_random_create(uint64_t seed);
 /// Makes both motions of one piece each; walks go on from there.
 bmr_error bmr_path_pieces(const bmr_motion_piece *a, const bmr_motion_piece *b,
                           const bmr_allocator *allocator, bmr_motion *motions[2]);
 /// Gives both motions back if `error` is one; returns it.
 bmr_error bmr_path_finish(bmr_error error, bmr_motion *motions[2]);
-/// An algebraic piece that rests at the pose, and one added to a motion from `time` on, its origin there.
-bmr_algebraic_piece bmr_path_still(bmr_pose pose);
-bmr_error bmr_path_append(bmr_motion *motion, double time, const bmr_algebraic_piece *algebraic);
-
 #endif

@@ -1,8 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <math.h>
 
-#include "analysis/random.h"
+#include "analysis/family_paths.h"
 #include "boomerang/families.h"
+#include "kinetic/roots.h"
+
+#include <gsl/gsl_randist.h>
+
+// ---- random numbers ----
+
+gsl_rng *bmr_random_create(uint64_t seed) {
+    bmr_gsl_guard_enter();
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    bmr_gsl_guard_leave();
+    if (random) // the upper half is folded in: the generator takes 32 bits
+        gsl_rng_set(random, (unsigned long)((seed ^ (seed >> 32) * 2654435761u) & 0xffffffffu));
+    return random;
+}
 
 #define PI 3.14159265358979323846
 /// The short axis of the ellipses; the long one is 1.

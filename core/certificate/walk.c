@@ -15,7 +15,8 @@ int bmr_walk_deepest(const bmr_hierarchy *const hierarchies[2]) {
     return (int)(a > b ? a : b);
 }
 
-bmr_vec2 bmr_walk_normal(const bmr_walk *walk, int side, bmr_edge edge) {
+/// The normal of an edge, in A's frame, from A to B.
+static bmr_vec2 normal_of(const bmr_walk *walk, int side, bmr_edge edge) {
     const bmr_vec2 normal = bmr_hierarchy_line(walk->hierarchies[side], edge).normal;
     return side == 0 ? normal : bmr_neg(bmr_rotate(walk->pose, normal));
 }
@@ -40,9 +41,11 @@ void bmr_walk_start(bmr_walk *walk, bmr_vec2 direction, int level) {
     }
 }
 
-void bmr_walk_resume(bmr_walk *walk, int owner, bmr_edge edge, bmr_corner other, int level) {
+/// Puts the walk on the normal of an edge that is on `level`, facing the other body's corner, which is
+/// extreme there.
+static void resume(bmr_walk *walk, int owner, bmr_edge edge, bmr_corner other, int level) {
     const bmr_hierarchy *h = walk->hierarchies[owner];
-    walk->direction = bmr_walk_normal(walk, owner, edge);
+    walk->direction = normal_of(walk, owner, edge);
     walk->level = level;
     walk->corner[owner] = bmr_tree_corner_after(h, edge, bmr_walk_side_level(h, level), &walk->steps);
     walk->corner[1 - owner] = other;
@@ -55,7 +58,8 @@ void bmr_walk_refine(bmr_walk *walk) {
                                              (uint32_t)walk->level, &walk->steps);
 }
 
-void bmr_walk_coarsen(bmr_walk *walk, const bmr_candidate *candidate) {
+/// From a candidate of the walk's level back to the level above, at the same direction. O(1).
+static void coarsen(bmr_walk *walk, const bmr_candidate *candidate) {
     walk->direction = candidate->direction;
     for (int side = 0; side < 2; ++side) {
         const bmr_hierarchy *h = walk->hierarchies[side];
@@ -76,7 +80,7 @@ typedef struct outlook {
 
 static void look_ahead(const bmr_walk *walk, outlook *o, int side, int sense) {
     o->edge[side] = sense > 0 ? walk->corner[side].after : walk->corner[side].before;
-    o->normal[side] = bmr_walk_normal(walk, side, o->edge[side]);
+    o->normal[side] = normal_of(walk, side, o->edge[side]);
 }
 
 /// The vector from A's corner to B's: F is its product with the direction, and uphill is the side it points
@@ -116,7 +120,8 @@ static bmr_candidate behind(bmr_walk start, const outlook *first, int sense) {
     return next_candidate(&start, &o, -sense);
 }
 
-bool bmr_walk_climb_until(bmr_walk *walk, double enough, bmr_candidate *best) {
+/// bmr_walk_climb, but it ends at the first candidate of a larger gap than `enough`.
+static bool climb_until(bmr_walk *walk, double enough, bmr_candidate *best) {
     const bmr_walk start = *walk;
     outlook o;
     for (int side = 0; side < 2; ++side)
@@ -147,7 +152,7 @@ bool bmr_walk_climb_until(bmr_walk *walk, double enough, bmr_candidate *best) {
 }
 
 bool bmr_walk_climb(bmr_walk *walk, bmr_candidate *best) {
-    return bmr_walk_climb_until(walk, INFINITY, best);
+    return climb_until(walk, INFINITY, best);
 }
 
 void bmr_walk_ascend(bmr_walk *walk, bmr_candidate candidate, double need, double reach, bmr_walk_take *take,
@@ -156,9 +161,9 @@ void bmr_walk_ascend(bmr_walk *walk, bmr_candidate candidate, double need, doubl
     int level = from;
     while (level > 0) {
         bmr_candidate coarser;
-        bmr_walk_coarsen(walk, &candidate);
+        coarsen(walk, &candidate);
         const double enough = fmax(reach, need + BMR_COARSEN_PART * (candidate.gap - need));
-        bmr_walk_climb_until(walk, enough, &coarser);
+        climb_until(walk, enough, &coarser);
         if (!(coarser.gap > enough) || !take(context, &coarser, level - 1))
             break;
         candidate = coarser;
@@ -166,9 +171,64 @@ void bmr_walk_ascend(bmr_walk *walk, bmr_candidate candidate, double need, doubl
     }
     if (level == from)
         return;
-    bmr_walk_resume(walk, candidate.owner, candidate.edge, candidate.corner[1 - candidate.owner], level);
+    resume(walk, candidate.owner, candidate.edge, candidate.corner[1 - candidate.owner], level);
     bmr_candidate best;
     bmr_walk_climb(walk, &best);
     if (best.gap > candidate.gap)
         take(context, &best, level);
+}
+
+// ---- the lazy structure ----
+
+/// Climbs the walk's level, and on to deeper ones until one separates.
+static bool descend(bmr_lazy *lazy) {
+    const int deepest = bmr_walk_deepest(lazy->walk.hierarchies);
+    for (;;) {
+        const bool top = bmr_walk_climb(&lazy->walk, &lazy->found);
+        if (lazy->found.gap > lazy->reach && lazy->take(lazy->context, &lazy->found, lazy->walk.level))
+            return true;
+        if (!top || lazy->walk.level >= deepest)
+            return false;
+        bmr_walk_refine(&lazy->walk);
+    }
+}
+
+bool bmr_lazy_start(bmr_lazy *lazy, bmr_vec2 direction, int level) {
+    bmr_walk_start(&lazy->walk, direction, level);
+    return descend(lazy);
+}
+
+/// The edge stays, the corner becomes the one that is extreme now.
+static bmr_candidate rolled(bmr_lazy *lazy, const bmr_lazy_place *at) {
+    bmr_walk *walk = &lazy->walk;
+    const bmr_hierarchy *own = walk->hierarchies[at->owner];
+    bmr_walk_start(walk, normal_of(walk, at->owner, at->edge), at->level);
+    bmr_candidate c = {0.0, at->owner, at->edge, walk->direction, {walk->corner[0], walk->corner[1]}};
+    if (lazy->roll_after)
+        c.corner[at->owner] = bmr_hierarchy_corner_after(own, at->edge, bmr_walk_side_level(own, at->level));
+    const bmr_vec2 p = bmr_walk_point(walk, 0, c.corner[0]), q = bmr_walk_point(walk, 1, c.corner[1]);
+    c.gap = bmr_dot(c.direction, bmr_sub(q, p));
+    return c;
+}
+
+bmr_lazy_end bmr_lazy_repair(bmr_lazy *lazy, bmr_lazy_place at, bool turned) {
+    if (turned) {
+        lazy->found = rolled(lazy, &at);
+        if (lazy->found.gap > lazy->roll_reach && lazy->take(lazy->context, &lazy->found, at.level))
+            return BMR_LAZY_ROLL;
+        at.corner = lazy->found.corner[1 - at.owner];
+    }
+    resume(&lazy->walk, at.owner, at.edge, at.corner, at.level);
+    if (!descend(lazy))
+        return BMR_LAZY_NONE;
+    return lazy->walk.level > at.level ? BMR_LAZY_STAB : BMR_LAZY_PUSH;
+}
+
+bool bmr_lazy_is_place(const bmr_hierarchy *const hierarchies[2], const bmr_lazy_place *at) {
+    const bmr_hierarchy *own = hierarchies[at->owner], *other = hierarchies[1 - at->owner];
+    const uint32_t level = bmr_walk_side_level(other, at->level), before = at->corner.before;
+    return at->edge < bmr_hierarchy_edge_count(own) &&
+           bmr_hierarchy_level(own, at->edge) <= bmr_walk_side_level(own, at->level) &&
+           before < bmr_hierarchy_edge_count(other) && bmr_hierarchy_level(other, before) <= level &&
+           bmr_hierarchy_corner_after(other, before, level).after == at->corner.after;
 }

@@ -37,21 +37,14 @@ typedef struct bmr_candidate {
 
 /// Puts the walk on a level, at the extreme corners in a direction (not zero). O(level).
 void bmr_walk_start(bmr_walk *walk, bmr_vec2 direction, int level);
-/// Puts the walk on the normal of an edge that is on `level`, facing the other body's corner, which is
-/// extreme there.
-void bmr_walk_resume(bmr_walk *walk, int owner, bmr_edge edge, bmr_corner other, int level);
 
 /// Goes to the next level: the corners are cut. O(1).
 void bmr_walk_refine(bmr_walk *walk);
-/// From a candidate of the walk's level back to the level above, at the same direction. O(1).
-void bmr_walk_coarsen(bmr_walk *walk, const bmr_candidate *candidate);
 
 /// Walks uphill to the top of F and returns the best candidate met. False: gave up on the way, too far to
 /// walk; else no direction within a right angle of the walk's new place separates the two envelopes by more
 /// than sqrt(2) times the candidate's gap. O(steps), at most BMR_WALK_STEPS.
 bool bmr_walk_climb(bmr_walk *walk, bmr_candidate *best);
-/// The same, but ends at the first candidate of a larger gap than `enough`.
-bool bmr_walk_climb_until(bmr_walk *walk, double enough, bmr_candidate *best);
 
 /// More steps than this cost more than a start from the closest direction does. Between two looks of a motion
 /// that is sampled finely, a walk has one or two.
@@ -76,10 +69,56 @@ typedef bool bmr_walk_take(void *context, const bmr_candidate *candidate, int le
 void bmr_walk_ascend(bmr_walk *walk, bmr_candidate candidate, double need, double reach, bmr_walk_take *take,
                      void *context);
 
-/// The line of an edge, and the point of a corner, in A's frame.
-bmr_vec2 bmr_walk_normal(const bmr_walk *walk, int side, bmr_edge edge);
+/// The point of a corner, in A's frame.
 bmr_vec2 bmr_walk_point(const bmr_walk *walk, int side, bmr_corner corner);
 /// The level of a hierarchy that plays in level `level` of the pair.
 uint32_t bmr_walk_side_level(const bmr_hierarchy *hierarchy, int level);
+
+// ---- the lazy structure ----
+//
+// The lazy structure of the paper's section 5, "Two Translating Polygons" and "Rigid Motion": an edge of one
+// envelope separates it from the other envelope of the same level, whose nearest corner is watched. pair/
+// has it for poses that are sampled, kds/ for motions that are known. Who calls says what a proof is (floats
+// in 64 bytes, or conditions in doubles), when it is taken, and what it does where no edge separates.
+//
+// Walking, pushing, stabbing, rolling and coarsening are all one climb, on one level or on one
+// level after the other: the local neighbourhoods that the paper relies on do not always hold the new edge.
+
+/// Where a proof stands.
+typedef struct bmr_lazy_place {
+    bmr_corner corner; ///< of the other body's envelope, the nearest
+    bmr_edge edge;     ///< the owner's
+    int level;         ///< of both envelopes
+    int owner;
+} bmr_lazy_place;
+
+/// A start or a repair at work.
+typedef struct bmr_lazy {
+    bmr_walk walk;
+    bmr_candidate found; ///< what the proof was made of, on the walk's level
+    double reach;        ///< a candidate of a larger gap than this is offered to `take`
+    double roll_reach;   ///< and after a roll one of a larger gap than this
+    bool roll_after;     ///< a roll goes on from the corner after its edge; else from the one of the edge's
+                         ///< two that rounding makes extreme
+    bmr_walk_take *take;
+    void *context;
+} bmr_lazy;
+
+/// What a repair ended with. After a roll or a push coarser levels may be apart, too: bmr_walk_ascend from
+/// `found`.
+typedef enum bmr_lazy_end {
+    BMR_LAZY_NONE, ///< no edge separates
+    BMR_LAZY_ROLL, ///< the edge stays, its corner is another one
+    BMR_LAZY_PUSH, ///< another edge of the same level
+    BMR_LAZY_STAB  ///< an edge of a deeper level
+} bmr_lazy_end;
+
+/// From the extreme corners in a direction: the best edge of the level, or of the first deeper one that
+/// separates. False: none.
+bool bmr_lazy_start(bmr_lazy *lazy, bmr_vec2 direction, int level);
+/// From a place whose proof failed. `turned`: the direction has left the corner's cone.
+bmr_lazy_end bmr_lazy_repair(bmr_lazy *lazy, bmr_lazy_place at, bool turned);
+/// Is there such an edge on the level, and such a corner?
+bool bmr_lazy_is_place(const bmr_hierarchy *const hierarchies[2], const bmr_lazy_place *at);
 
 #endif

@@ -6,6 +6,18 @@
 
 #include "hierarchy/tree.h"
 
+/// A body's vector in A's frame, -B's for B.
+static bmr_vec2 into_a(const bmr_mixed *mixed, int body, bmr_vec2 v) {
+    if (body == 0)
+        return v;
+    return bmr_vec2_make(mixed->s * v.y - mixed->c * v.x, -(mixed->s * v.x + mixed->c * v.y));
+}
+
+static void count_steps(const bmr_mixed *mixed, unsigned steps) {
+    if (mixed->steps)
+        *mixed->steps += steps;
+}
+
 bmr_mixed bmr_mixed_make(const bmr_hierarchy *a, const bmr_hierarchy *b, double c, double s, double offset) {
     const bmr_mixed mixed = {{a, b}, c, s, offset, NULL};
     return mixed;
@@ -59,19 +71,20 @@ bmr_vec2 bmr_mixed_corner(const bmr_mixed *mixed, int body, bmr_edge before, bmr
                 bmr_hierarchy_line(h, after).normal);
 }
 
-bmr_vec2 bmr_mixed_sum(const bmr_mixed *mixed, int body, bmr_edge before, bmr_edge after,
-                       bmr_edge other_before, bmr_edge other_after) {
+/// The point of a corner of one body plus that of a corner of the other: the same bits whoever asks.
+static bmr_vec2 sum(const bmr_mixed *mixed, int body, bmr_edge before, bmr_edge after, bmr_edge other_before,
+                    bmr_edge other_after) {
     const bmr_vec2 p = bmr_mixed_corner(mixed, body, before, after);
     const bmr_vec2 q = bmr_mixed_corner(mixed, 1 - body, other_before, other_after);
     // The sum of two doubles does not depend on their order: the bits are the same whichever body comes
     // first.
-    return bmr_add(bmr_mixed_into_a(mixed, body, p), bmr_mixed_into_a(mixed, 1 - body, q));
+    return bmr_add(into_a(mixed, body, p), into_a(mixed, 1 - body, q));
 }
 
 bool bmr_mixed_precedes(const bmr_mixed *mixed, int body, bmr_edge f, bmr_edge g) {
     const bmr_hierarchy *h = mixed->hierarchies[body], *k = mixed->hierarchies[1 - body];
-    const bmr_vec2 m = bmr_mixed_into_a(mixed, body, bmr_tree_normal(h, &h->nodes[f]));
-    const bmr_vec2 n = bmr_mixed_into_a(mixed, 1 - body, bmr_tree_normal(k, &k->nodes[g]));
+    const bmr_vec2 m = into_a(mixed, body, bmr_tree_normal(h, &h->nodes[f]));
+    const bmr_vec2 n = into_a(mixed, 1 - body, bmr_tree_normal(k, &k->nodes[g]));
     const double turn = bmr_cross(m, n);
     return turn > 0.0 || (turn == 0.0 && body == 1);
 }
@@ -83,10 +96,10 @@ bmr_corner bmr_mixed_around(const bmr_mixed *mixed, int body, bmr_edge edge, uin
                                      bmr_mixed_precedes(mixed, 1 - body, edge, root + 1)))
         ++root;
     bmr_corner corner = bmr_hierarchy_corner(h, root, (root + 1) % BMR_ROOTS);
-    bmr_mixed_count(mixed, 1);
+    count_steps(mixed, 1);
     while (corner.cut != BMR_NO_EDGE && h->nodes[corner.cut].level <= level) {
         const bmr_node *node = &h->nodes[corner.cut];
-        bmr_mixed_count(mixed, 1);
+        count_steps(mixed, 1);
         if (bmr_mixed_precedes(mixed, body, corner.cut, edge)) {
             corner.before = corner.cut;
             corner.cut = bmr_tree_link(node->child_after);
@@ -143,7 +156,7 @@ static void chain_corners(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bm
     unsigned steps = 0;
     *before = bmr_tree_corner_before(mixed->hierarchies[y], cell->other[0], level, &steps).before;
     *after = bmr_tree_corner_after(mixed->hierarchies[y], cell->other[0], level, &steps).after;
-    bmr_mixed_count(mixed, steps);
+    count_steps(mixed, steps);
 }
 
 /// Names for the places in a figure.
@@ -202,7 +215,7 @@ static bmr_vec2 figure_corner(const bmr_mixed *mixed, const bmr_mixed_figure *f,
 }
 
 void bmr_mixed_draw(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bmr_mixed_figure *f) {
-    bmr_mixed_count(mixed, 1);
+    count_steps(mixed, 1);
     f->parts = parts[cell->kind];
     f->sides = part_counts[cell->kind];
     f->owner = cell->owner;
@@ -229,8 +242,8 @@ double bmr_mixed_figure_value(const bmr_mixed *mixed, const bmr_mixed_figure *f,
     const bmr_mixed_part *part = &f->parts[i];
     const int body = part->of ? 1 - f->owner : f->owner;
     const bmr_line *line = &f->lines[part->of][part->line];
-    const bmr_vec2 v = bmr_mixed_into_a(mixed, 1 - body, f->corners[1 - part->of][part->corner]);
-    const double beyond = bmr_dot(bmr_mixed_into_a(mixed, body, line->normal), bmr_sub(x, v)) - line->offset;
+    const bmr_vec2 v = into_a(mixed, 1 - body, f->corners[1 - part->of][part->corner]);
+    const double beyond = bmr_dot(into_a(mixed, body, line->normal), bmr_sub(x, v)) - line->offset;
     return (double)part->beyond * beyond;
 }
 
@@ -238,8 +251,8 @@ void bmr_mixed_figure_polygon(const bmr_mixed *mixed, const bmr_mixed_cell *cell
                               bmr_vec2 corners[BMR_MIXED_MAX_SIDES]) {
     for (size_t i = 0; i < f->sides; ++i) {
         const uint8_t *pair = vertices[cell->kind][i];
-        corners[i] = bmr_add(bmr_mixed_into_a(mixed, f->owner, f->corners[0][pair[0]]),
-                             bmr_mixed_into_a(mixed, 1 - f->owner, f->corners[1][pair[1]]));
+        corners[i] = bmr_add(into_a(mixed, f->owner, f->corners[0][pair[0]]),
+                             into_a(mixed, 1 - f->owner, f->corners[1][pair[1]]));
     }
 }
 
@@ -281,8 +294,8 @@ size_t bmr_mixed_sides(const bmr_mixed *mixed, const bmr_mixed_cell *cell,
 double bmr_mixed_side_value(const bmr_mixed *mixed, const bmr_mixed_side *side, bmr_vec2 x) {
     const bmr_line line = bmr_mixed_line(mixed, side->owner, side->edge);
     const bmr_vec2 corner = bmr_mixed_corner(mixed, 1 - side->owner, side->corner[0], side->corner[1]);
-    const bmr_vec2 v = bmr_mixed_into_a(mixed, 1 - side->owner, corner);
-    const bmr_vec2 n = bmr_mixed_into_a(mixed, side->owner, line.normal);
+    const bmr_vec2 v = into_a(mixed, 1 - side->owner, corner);
+    const bmr_vec2 n = into_a(mixed, side->owner, line.normal);
     return (double)side->beyond * (bmr_dot(n, bmr_sub(x, v)) - line.offset);
 }
 
@@ -307,10 +320,10 @@ double bmr_mixed_height(const bmr_mixed *mixed, const bmr_mixed_cell *cell) {
         return bmr_dot(line.normal, c) - line.offset;
     }
     const bool before = cell->kind == BMR_MIXED_BEFORE;
-    const bmr_vec2 n = bmr_mixed_into_a(mixed, 1 - x, bmr_mixed_line(mixed, 1 - x, cell->other[0]).normal);
+    const bmr_vec2 n = into_a(mixed, 1 - x, bmr_mixed_line(mixed, 1 - x, cell->other[0]).normal);
     const bmr_vec2 end =
         before ? bmr_mixed_corner(mixed, x, o.l, cell->edge) : bmr_mixed_corner(mixed, x, cell->edge, o.r);
-    return fabs(bmr_dot(n, bmr_mixed_into_a(mixed, x, bmr_sub(c, end))));
+    return fabs(bmr_dot(n, into_a(mixed, x, bmr_sub(c, end))));
 }
 
 bmr_mixed_cell bmr_mixed_triangle(const bmr_mixed *mixed, int owner, bmr_edge edge) {
@@ -354,7 +367,7 @@ static bool cuts_own(descent *d, uint32_t level, bmr_mixed_cell *cell) {
     const int other = 1 - d->body;
     const bmr_edge e = d->after.cut;
     if (e != BMR_NO_EDGE && nodes[e].level == level) {
-        if (bmr_mixed_left(d->ray, bmr_mixed_sum(m, d->body, d->g, e, d->w.before, d->w.after))) {
+        if (bmr_mixed_left(d->ray, sum(m, d->body, d->g, e, d->w.before, d->w.after))) {
             *cell = bmr_mixed_precedes(m, other, d->w.after, e)
                         ? bmr_mixed_cell_make(BMR_MIXED_BEFORE, d->body, e, d->w.after, BMR_NO_EDGE)
                         : bmr_mixed_cell_make(BMR_MIXED_TRIANGLE, d->body, e, d->w.before, d->w.after);
@@ -364,7 +377,7 @@ static bool cuts_own(descent *d, uint32_t level, bmr_mixed_cell *cell) {
     }
     const bmr_edge f = d->before.cut;
     if (f != BMR_NO_EDGE && nodes[f].level == level) {
-        if (!bmr_mixed_left(d->ray, bmr_mixed_sum(m, d->body, f, d->g, d->w.before, d->w.after))) {
+        if (!bmr_mixed_left(d->ray, sum(m, d->body, f, d->g, d->w.before, d->w.after))) {
             *cell = bmr_mixed_precedes(m, other, d->w.before, f)
                         ? bmr_mixed_cell_make(BMR_MIXED_TRIANGLE, d->body, f, d->w.before, d->w.after)
                         : bmr_mixed_cell_make(BMR_MIXED_AFTER, d->body, f, d->w.before, BMR_NO_EDGE);
@@ -387,8 +400,10 @@ static bool cuts_other(const descent *d, uint32_t level, bmr_mixed_cell *cell) {
     return true;
 }
 
-bmr_mixed_cell bmr_mixed_down(const bmr_mixed *mixed, int body, bmr_edge g, const bmr_edge w[2],
-                              int32_t stage, const bmr_mixed_ray *ray, unsigned *touched) {
+/// The cell inside of an edge g of body `body` with the other's corner w, both of M_s, where the ray crosses
+/// it inwards.
+static bmr_mixed_cell down(const bmr_mixed *mixed, int body, bmr_edge g, const bmr_edge w[2], int32_t stage,
+                           const bmr_mixed_ray *ray, unsigned *touched) {
     const bmr_hierarchy *h = mixed->hierarchies[body];
     const uint32_t level = bmr_mixed_level(body, stage);
     unsigned steps = 0;
@@ -399,7 +414,7 @@ bmr_mixed_cell bmr_mixed_down(const bmr_mixed *mixed, int body, bmr_edge g, cons
                  bmr_tree_corner_before(h, g, level, &steps),
                  bmr_tree_corner_after(h, g, level, &steps),
                  bmr_hierarchy_corner(mixed->hierarchies[1 - body], w[0], w[1])};
-    bmr_mixed_count(mixed, steps);
+    count_steps(mixed, steps);
     bmr_mixed_cell cell = bmr_mixed_cell_make(BMR_MIXED_INSIDE, 0, BMR_NO_EDGE, BMR_NO_EDGE, BMR_NO_EDGE);
     for (; d.before.cut != BMR_NO_EDGE || d.after.cut != BMR_NO_EDGE || d.w.cut != BMR_NO_EDGE; ++stage) {
         if (touched)
@@ -424,7 +439,7 @@ bmr_mixed_cell bmr_mixed_next(const bmr_mixed *mixed, const bmr_mixed_cell *cell
     const int32_t below = bmr_mixed_stage(mixed, cell) + 1;
     if (cell->kind == BMR_MIXED_TRIANGLE) {
         if (role == BMR_MIXED_INNER)
-            return bmr_mixed_down(mixed, x, e, cell->other, below, ray, touched);
+            return down(mixed, x, e, cell->other, below, ray, touched);
         const bool low = role == BMR_MIXED_LOW;
         const bmr_edge side = low ? o.l : o.r, next = low ? y : cell->other[1];
         const bool has_chain =
@@ -436,7 +451,7 @@ bmr_mixed_cell bmr_mixed_next(const bmr_mixed *mixed, const bmr_mixed_cell *cell
     const bool before = cell->kind == BMR_MIXED_BEFORE;
     if (role == BMR_MIXED_INNER) {
         const bmr_edge w[2] = {before ? o.l : e, before ? e : o.r};
-        return bmr_mixed_down(mixed, other, y, w, below, ray, touched);
+        return down(mixed, other, y, w, below, ray, touched);
     }
     if (role == BMR_MIXED_OUTER)
         return go_up(mixed, other, y, o.l, o.r);
@@ -456,4 +471,113 @@ bmr_mixed_cell bmr_mixed_next(const bmr_mixed *mixed, const bmr_mixed_cell *cell
             return before ? go_up(mixed, x, o.l, next, y) : go_up(mixed, x, o.r, y, next);
     }
     return bmr_mixed_cell_make((bmr_mixed_kind)cell->kind, x, e, next, BMR_NO_EDGE);
+}
+
+// ---- straight walks, and where they start ----
+
+/// More steps than a straight walk can take: each cell is convex and met once. A cell has an edge of its own
+/// and one of the other body's.
+static uint32_t most_steps(const bmr_mixed *mixed) {
+    return 64u + 8u * (bmr_hierarchy_edge_count(mixed->hierarchies[0]) +
+                       bmr_hierarchy_edge_count(mixed->hierarchies[1]));
+}
+
+/// One of the eight edges of M_0, with its ends.
+typedef struct top_edge {
+    bmr_edge edge, corner[2];
+    int owner;
+    bmr_vec2 start, end;
+} top_edge;
+#define TOPS 8u
+/// Fills in the edges of A, then those of B.
+static void fill_tops(const bmr_mixed *mixed, top_edge tops[TOPS]) {
+    for (uint32_t i = 0; i < TOPS; ++i) {
+        top_edge *top = &tops[i];
+        top->owner = i < BMR_ROOTS ? 0 : 1;
+        top->edge = i % BMR_ROOTS;
+        const bmr_corner w = bmr_mixed_around(mixed, 1 - top->owner, top->edge, 0);
+        top->corner[0] = w.before;
+        top->corner[1] = w.after;
+        const bmr_edge before = (top->edge + BMR_ROOTS - 1) % BMR_ROOTS, after = (top->edge + 1) % BMR_ROOTS;
+        top->start = sum(mixed, top->owner, before, top->edge, w.before, w.after);
+        top->end = sum(mixed, top->owner, top->edge, after, w.before, w.after);
+    }
+}
+
+bmr_mixed_cell bmr_mixed_outside(const bmr_mixed *mixed, bmr_vec2 x, double *slack) {
+    bmr_mixed_cell best = {0};
+    *slack = -INFINITY;
+    for (uint32_t i = 0; i < TOPS; ++i) {
+        const int owner = i < BMR_ROOTS ? 0 : 1;
+        const bmr_corner w = bmr_mixed_around(mixed, 1 - owner, i % BMR_ROOTS, 0);
+        const bmr_mixed_cell cell =
+            bmr_mixed_cell_make(BMR_MIXED_OUTSIDE, owner, i % BMR_ROOTS, w.before, w.after);
+        bmr_mixed_figure figure;
+        bmr_mixed_draw(mixed, &cell, &figure);
+        const double value = bmr_mixed_figure_value(mixed, &figure, 0, x);
+        if (value > *slack) {
+            *slack = value;
+            best = cell;
+        }
+    }
+    return best;
+}
+
+bmr_mixed_cell bmr_mixed_enter(const bmr_mixed *mixed, const bmr_mixed_ray *ray, unsigned *touched) {
+    top_edge tops[TOPS];
+    fill_tops(mixed, tops);
+    for (uint32_t i = 0; i < TOPS; ++i)
+        if (bmr_mixed_left(ray, tops[i].start) && !bmr_mixed_left(ray, tops[i].end))
+            return down(mixed, tops[i].owner, tops[i].edge, tops[i].corner, 0, ray, touched);
+    return bmr_mixed_cell_make(BMR_MIXED_OUTSIDE, 0, 0, BMR_NO_EDGE, BMR_NO_EDGE);
+}
+
+size_t bmr_mixed_exit(const bmr_mixed *mixed, const bmr_mixed_cell *cell, const bmr_mixed_figure *figure,
+                      const bmr_mixed_ray *ray) {
+    bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
+    const size_t count = figure->sides;
+    bmr_mixed_figure_polygon(mixed, cell, figure, corners);
+    size_t exit = 0;
+    while (exit < count && !(!bmr_mixed_left(ray, corners[exit]) &&
+                             bmr_mixed_left(ray, corners[exit + 1 < count ? exit + 1 : 0])))
+        ++exit;
+    return exit;
+}
+
+/// The rest of a walk whose ray is known: from a cell that the ray meets.
+static bool follow(const bmr_mixed *mixed, bmr_mixed_cell *cell, const bmr_mixed_ray *ray, bmr_vec2 to,
+                   unsigned *touched) {
+    for (uint32_t step = most_steps(mixed); step > 0; --step) {
+        if (cell->kind == BMR_MIXED_OUTSIDE || cell->kind == BMR_MIXED_INSIDE)
+            return true;
+        bmr_mixed_figure figure;
+        bmr_mixed_draw(mixed, cell, &figure);
+        const size_t exit = bmr_mixed_exit(mixed, cell, &figure, ray);
+        if (exit == figure.sides)
+            return false;
+        if (bmr_mixed_figure_value(mixed, &figure, exit, to) >= 0.0)
+            return true;
+        *cell = bmr_mixed_next(mixed, cell, (bmr_mixed_role)figure.parts[exit].role, ray, touched);
+    }
+    return false;
+}
+
+/// Lemma 4.4(b): a convex curve meets O(log(D/s)) and O(sqrt(D/s)) mixed triangles.
+bool bmr_mixed_walk(const bmr_mixed *mixed, bmr_mixed_cell *cell, bmr_vec2 from, bmr_vec2 to,
+                    unsigned *touched) {
+    const bmr_mixed_ray ray = {from, bmr_sub(to, from)};
+    if (ray.direction.x == 0.0 && ray.direction.y == 0.0)
+        return true;
+    return follow(mixed, cell, &ray, to, touched);
+}
+
+bool bmr_mixed_locate(const bmr_mixed *mixed, bmr_vec2 x, bmr_vec2 direction, bmr_mixed_cell *cell,
+                      unsigned *touched) {
+    double slack;
+    *cell = bmr_mixed_outside(mixed, x, &slack);
+    if (slack > 0.0)
+        return true;
+    const bmr_mixed_ray ray = {x, bmr_neg(direction)};
+    *cell = bmr_mixed_enter(mixed, &ray, touched);
+    return cell->kind != BMR_MIXED_OUTSIDE && follow(mixed, cell, &ray, x, touched);
 }

@@ -13,20 +13,6 @@
 bool bmr_mixed_precedes(const bmr_mixed *mixed, int body, bmr_edge f, bmr_edge g);
 /// The corner of body `body`'s envelope of `level` whose cone holds edge `edge` of the other body. O(level).
 bmr_corner bmr_mixed_around(const bmr_mixed *mixed, int body, bmr_edge edge, uint32_t level);
-/// The point of a corner of one body plus that of a corner of the other: the same bits whoever asks.
-bmr_vec2 bmr_mixed_sum(const bmr_mixed *mixed, int body, bmr_edge before, bmr_edge after,
-                       bmr_edge other_before, bmr_edge other_after);
-/// A body's vector in A's frame, -B's for B.
-static inline bmr_vec2 bmr_mixed_into_a(const bmr_mixed *mixed, int body, bmr_vec2 v) {
-    if (body == 0)
-        return v;
-    return bmr_vec2_make(mixed->s * v.y - mixed->c * v.x, -(mixed->s * v.x + mixed->c * v.y));
-}
-
-static inline void bmr_mixed_count(const bmr_mixed *mixed, unsigned steps) {
-    if (mixed->steps)
-        *mixed->steps += steps;
-}
 
 /// The level of a body in M_s.
 static inline uint32_t bmr_mixed_level(int body, int32_t stage) {
@@ -69,32 +55,10 @@ void bmr_mixed_figure_polygon(const bmr_mixed *mixed, const bmr_mixed_cell *cell
 /// Does the cell exist at this rotation, and hold x?
 bool bmr_mixed_holds(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bmr_vec2 x);
 
-/// The cell inside of an edge g of body `body` with the other's corner w, both of M_s, where the ray crosses
-/// it inwards.
-bmr_mixed_cell bmr_mixed_down(const bmr_mixed *mixed, int body, bmr_edge g, const bmr_edge w[2],
-                              int32_t stage, const bmr_mixed_ray *ray, unsigned *touched);
-
 /// The side through which the ray leaves a cell: the one that starts on the ray's right and ends on its left.
 /// The number of sides if the ray misses the cell.
 size_t bmr_mixed_exit(const bmr_mixed *mixed, const bmr_mixed_cell *cell, const bmr_mixed_figure *figure,
                       const bmr_mixed_ray *ray);
-
-/// One of the eight edges of M_0, with its ends.
-typedef struct bmr_mixed_top {
-    bmr_edge edge, corner[2];
-    int owner;
-    bmr_vec2 start, end;
-} bmr_mixed_top;
-#define BMR_MIXED_TOPS 8u
-/// Fills in the edges of A, then those of B.
-void bmr_mixed_tops(const bmr_mixed *mixed, bmr_mixed_top tops[BMR_MIXED_TOPS]);
-
-/// More steps than a straight walk can take: each cell is convex and met once. A cell has an edge of its own
-/// and one of the other body's.
-static inline uint32_t bmr_mixed_most_steps(const bmr_mixed *mixed) {
-    return 64u + 8u * (bmr_hierarchy_edge_count(mixed->hierarchies[0]) +
-                       bmr_hierarchy_edge_count(mixed->hierarchies[1]));
-}
 
 // ---- a tiling in a block of the caller's ----
 

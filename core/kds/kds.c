@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "certificate/cone.h"
+#include "certificate/coarse.h"
 #include "geometry/distance.h"
 #include "geometry/memory.h"
 #include "hierarchy/tree.h"

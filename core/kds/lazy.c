@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lazy structure (certificate/lazy.h) of two polygons, event-driven. What the paper leaves open is
+// The lazy structure (certificate/walk.h) of two polygons, event-driven. What the paper leaves open is
 // settled like this:
 //
 // - A line is taken from one tolerance beyond the margin on and fails at the margin; a corner's cone is
@@ -15,7 +15,7 @@
 // four rolls a turn of bodies that spin far apart, but have no line to show as a proof.
 #include <math.h>
 
-#include "certificate/lazy.h"
+#include "certificate/walk.h"
 #include "geometry/distance.h"
 #include "hierarchy/tree.h"
 #include "kds/registry.h"

@@ -2,7 +2,7 @@
 // Re-proving a pair's state from nothing but the polygons (and, for the lazy structures, the hierarchies).
 #include <math.h>
 
-#include "certificate/lazy.h"
+#include "certificate/walk.h"
 #include "pair/step.h"
 
 /// Two computations of one float, from doubles that agree up to rounding.

@@ -16,7 +16,8 @@
 #define SPARE_OF_B UINT32_C(0x80000000)
 #define NO_SPARE (SPARE_OF_B - 1)
 
-int bmr_free_spin(const bmr_pair *pair, const bmr_pose *b_in_a) {
+/// Which way B turned when a certificate rolled.
+static int spin_of(const bmr_pair *pair, const bmr_pose *b_in_a) {
     const bmr_certificate *k = &pair->certificate;
     const bmr_vec2 normal = bmr_vec2_make((double)k->normal[0], (double)k->normal[1]);
     const bmr_pose other_in_owner = pair->owner == 0 ? *b_in_a : bmr_pose_inverse(b_in_a);
@@ -158,7 +159,7 @@ bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap) {
     const bool two = pair->structure == BMR_TWO_LINES,
                failed = failure == BMR_FAILURE_ROLLED || failure == BMR_FAILURE_CROSSED;
     if (failure == BMR_FAILURE_ROLLED)
-        pair->spin = bmr_free_spin(pair, step->pose) > 0 ? 1 : -1;
+        pair->spin = spin_of(pair, step->pose) > 0 ? 1 : -1;
     if (failure == BMR_FAILURE_NEW && bmr_disks_certify(step, step->need, gap)) {
         bmr_step_tell(step, BMR_EVENT_START, level_before, BMR_LEVEL_DISKS, *gap);
         return BMR_APART;

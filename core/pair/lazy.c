@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The lazy structure (certificate/lazy.h) of a sampled pair. What the paper leaves open is settled like this:
+// The lazy structure (certificate/walk.h) of a sampled pair. What the paper leaves open is settled like this:
 //
 // - Above level 0 are two disks. Below the deepest level is the closest direction: between two corners no
 //   edge's line separates by more than the distance over sqrt(2), so near the margin lines alone would not
 //   be enough.
 // - A climb can end on a false top when a pose has jumped through a body. So no pair is handed over before
 //   the distance query agrees.
-#include "certificate/lazy.h"
+#include "certificate/walk.h"
 #include "pair/step.h"
 
 /// The repair of a lazy pair.

@@ -37,8 +37,6 @@ typedef enum bmr_failure {
 /// Makes the certificate of two bounding disks, with its level, if they prove more than `need`. *gap: what
 /// they prove.
 bool bmr_disks_certify(bmr_step *step, double need, double *gap);
-/// What the pair's disks prove at a pose.
-double bmr_disks_gap(const bmr_certificate *certificate, const bmr_pose *b_in_a);
 bmr_error bmr_disks_audit(const bmr_certificate *certificate, const bmr_polygon *a, const bmr_polygon *b,
                           const bmr_pose *b_in_a);
 
@@ -76,8 +74,6 @@ bool bmr_free_certify(bmr_step *step, const bmr_closest *closest, double *gap);
 /// The coarse line that a pair of two lines remembers in other_after, made of these polygons' edges. False:
 /// it has none.
 bool bmr_spare_line(const bmr_pair *pair, const bmr_polygon *a, const bmr_polygon *b, bmr_coarse *spare);
-/// Which way B turned when a certificate rolled.
-int bmr_free_spin(const bmr_pair *pair, const bmr_pose *b_in_a);
 
 bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap);
 bmr_answer bmr_lazy_pair_repair(bmr_step *step, bmr_failure failure, double *gap);

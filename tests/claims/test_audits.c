@@ -3,7 +3,7 @@
 #include "boomerang/mass.h"
 #include "boomerang/pair.h"
 #include "boomerang/polygon.h"
-#include "certificate/lazy.h"
+#include "certificate/walk.h"
 #include "checks.h"
 #include "kds/point.h"
 #include "kds/structure.h"
