@@ -54,12 +54,6 @@ static bool is_family(bmr_family family) {
 const char *bmr_family_name(bmr_family family) {
     return is_family(family) ? families[family].name : NULL;
 }
-bmr_family bmr_family_find(const char *name) {
-    int k = 0;
-    while (k < BMR_FAMILY_COUNT && (!name || strcmp(name, families[k].name) != 0))
-        k++;
-    return (bmr_family)k;
-}
 bool bmr_family_is_rigid(bmr_family family) {
     return is_family(family) && families[family].rigid;
 }

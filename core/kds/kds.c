@@ -79,10 +79,6 @@ void bmr_kds_destroy(bmr_kds *kds, const bmr_allocator *allocator) {
         bmr_release(allocator, kds, kds->bytes);
 }
 
-const bmr_kds_info *bmr_kds_get_info(const bmr_kds *kds) {
-    return kds->info;
-}
-
 size_t bmr_kds_bytes(const bmr_kds *kds) {
     return kds->bytes;
 }

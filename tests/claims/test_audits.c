@@ -30,7 +30,7 @@ static stage stage_of(const char *name, test_kds_body a, test_kds_body b, double
     const bmr_kds_info *info = test_structure(name);
     assert_non_null(info);
     assert_int_equal(bmr_kds_create(info, &def, &s.a.shape, &s.b.shape, NULL, &s.kds), BMR_OK);
-    assert_ptr_equal(bmr_kds_get_info(s.kds), info);
+    assert_ptr_equal(s.kds->info, info);
     bmr_kds_report report;
     bmr_kds_repair(s.kds, &s.now, 0, &report); // before its start there is nothing to repair
     assert_int_equal(report.kind, BMR_KDS_NONE);

@@ -69,7 +69,7 @@ static void is_on_a_line(const test_drive_event *event) {
 /// no more than the paper's O(log log n) nor its O(log D/s); and a look at the certificate, at the old cell
 /// and at the new one.
 static void took_few_steps(const test_drive_event *event) {
-    const bool binary = strstr(bmr_kds_get_info(event->kds)->name, "-binary-") != NULL;
+    const bool binary = strstr(event->kds->info->name, "-binary-") != NULL;
     const int levels = event->report.level_after - event->report.level_before;
     const unsigned doublings = (unsigned)floor(log2((double)levels));
     assert_true(event->report.touched <= 3u + (binary ? 1u + 2u * doublings : (unsigned)levels));

@@ -36,8 +36,6 @@ typedef enum bmr_family {
 /// "line", "parabola", "algebraic", "orbit", "zigzag", "brownian", "wander", "spin", "rigid-algebraic",
 /// "tumble", "rigid-brownian", "rigid-wander", "to-and-fro"; NULL for anything else.
 const char *bmr_family_name(bmr_family family);
-/// The family of a name; BMR_FAMILY_COUNT if there is none.
-bmr_family bmr_family_find(const char *name);
 /// Does the relative rotation change? The families before SPIN translate only.
 bool bmr_family_is_rigid(bmr_family family);
 /// Is the path convex in the paper's sense (bending away from A)? Then one fixed line covers it.

@@ -161,7 +161,6 @@ typedef struct bmr_kds bmr_kds;
 bmr_error bmr_kds_create(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_shape *a,
                          const bmr_shape *b, const bmr_allocator *allocator, bmr_kds **kds);
 void bmr_kds_destroy(bmr_kds *kds, const bmr_allocator *allocator);
-const bmr_kds_info *bmr_kds_get_info(const bmr_kds *kds);
 /// Bytes of the pair's own state.
 size_t bmr_kds_bytes(const bmr_kds *kds);
 
