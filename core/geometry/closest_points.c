@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The closest points of two convex polygons in O(log n + log m), without a hierarchy, whatever rounding does.
 //
-// First, the search over two chains (closest_start.c) leads to the vertices, or to the edge and the vertex,
+// First, the search over two chains (distance.c) leads to the vertices, or to the edge and the vertex,
 // that are closest, or finds that the polygons overlap.
 //
 // Second, the closest points are looked for in the edges around the two vertices found. If neither polygon
