@@ -40,7 +40,7 @@ bmr_error bmr_first_failure(const bmr_condition *conditions, size_t count, const
 double bmr_repair_time(const bmr_pair_motion *motion, const bmr_condition *condition, double time,
                        double tolerance, double longest);
 
-// ---- the two searches ----
+// ---- polynomials ----
 
 /// A polynomial in u, from 0 to 1 over an interval of time, that has the sign of a condition there.
 typedef struct bmr_condition_polynomial {
@@ -59,16 +59,5 @@ typedef struct bmr_condition_polynomial {
 void bmr_condition_expand(const bmr_condition *condition, const bmr_motion_piece *owner,
                           const bmr_motion_piece *other, double from, double longest,
                           bmr_condition_polynomial *polynomial);
-
-/// The first failure in [from, to], by steps over which a bound of the second derivative keeps the condition
-/// positive, and GSL's Brent solver once two neighbouring looks have different signs. For any two pieces;
-/// needed where a spinning screw takes part. `fresh`: `from` is where the caller begins, and a condition a
-/// little below zero that is above it after a few tolerances is growing; else it follows on another piece.
-/// INFINITY if there is none. A condition costs two sines and cosines a look; a root takes about ten looks,
-/// and a whole turn some five more. Errors: NOT_FINITE (the motion overflows), OUT_OF_RANGE (more than
-/// BMR_FAILURE_MAX_STEPS steps); then *time is untouched.
-bmr_error bmr_safe_first_failure(const bmr_condition *condition, const bmr_motion_piece *owner,
-                                 const bmr_motion_piece *other, double from, double to, bool fresh,
-                                 double tolerance, double *time);
 
 #endif
