@@ -20,16 +20,16 @@ public:
     /// Fills an empty world whose gravity is (0, -10).
     virtual void Build(Stage &stage, int size) = 0;
     /// Before each b2World::Step; steps count from 0.
-    virtual void BeforeStep(Stage &stage, int step);
+    virtual void BeforeStep(Stage & /*stage*/, int /*step*/) {}
 
     /// Whether the callbacks below are wanted even when nobody observes.
     virtual bool Listens() const { return false; }
-    virtual void OnBegin(b2Contact &contact);
-    virtual void OnEnd(b2Contact &contact);
-    virtual void OnPreSolve(b2Contact &contact, const b2Manifold &old);
-    virtual void OnPostSolve(b2Contact &contact, const b2ContactImpulse &impulse);
+    virtual void OnBegin(b2Contact & /*contact*/) {}
+    virtual void OnEnd(b2Contact & /*contact*/) {}
+    virtual void OnPreSolve(b2Contact & /*contact*/, const b2Manifold & /*old*/) {}
+    virtual void OnPostSolve(b2Contact & /*contact*/, const b2ContactImpulse & /*impulse*/) {}
     /// Called always: a scene must forget joints that die with their bodies.
-    virtual void OnGoodbye(b2Joint &joint);
+    virtual void OnGoodbye(b2Joint & /*joint*/) {}
 };
 
 /// What is known of a scene without building it.
@@ -53,6 +53,12 @@ struct SceneInfo {
 
 template <typename T> std::unique_ptr<Scene> CreateScene() {
     return std::make_unique<T>();
+}
+
+/// A scene whose polygons may be chosen.
+inline SceneInfo WithPolygons(SceneInfo info, const PolygonChoice &polygons) {
+    info.polygons = polygons;
+    return info;
 }
 
 /// All scenes: the classic ones, then the hard ones, then those of games, then those of any size, then

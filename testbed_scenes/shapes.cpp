@@ -167,6 +167,25 @@ b2WheelJoint *AddCar(Stage &stage, b2Vec2 road) {
     return motor;
 }
 
+void AddAxle(Stage &stage, b2Body *frame, b2Body *gear, bool driven, float torque) {
+    b2RevoluteJointDef axle;
+    axle.Initialize(frame, gear, gear->GetPosition());
+    axle.enableMotor = driven;
+    axle.motorSpeed = 1.0f;
+    axle.maxMotorTorque = torque;
+    stage.AddJoint(axle);
+}
+
+void DropOctagon(Stage &stage, int step, float top) {
+    constexpr int kOctagons = 150;
+    if (step >= kOctagons)
+        return;
+    const float above = stage.Rng().Uniform(-2.0f, 2.0f);
+    const float across = stage.Rng().Uniform(-10.0f, 10.0f);
+    b2Body *body = stage.AddBody(b2_dynamicBody, {across, top - 6.0f + above});
+    stage.AddFixture(body, Material(1.0f, 0.5f), MakeRegular(8, stage.Rng().Uniform(0.2f, 0.35f)));
+}
+
 Grid::Grid(int size, int columns, float spacing)
     : halfWidth(0.5f * spacing * static_cast<float>(columns)),
       halfHeight(0.5f * spacing * static_cast<float>((size + columns - 1) / columns)), m_columns(columns),

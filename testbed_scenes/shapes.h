@@ -55,6 +55,11 @@ void AddChain(Stage &stage, const Outline &hills);
 /// motor.
 b2WheelJoint *AddCar(Stage &stage, b2Vec2 road);
 
+/// A gear on an axle in its frame; a motor turns it, where it is driven.
+void AddAxle(Stage &stage, b2Body *frame, b2Body *gear, bool driven, float torque);
+/// What falls on gears: an octagon before each of the first steps, for there is no room for all at once.
+void DropOctagon(Stage &stage, int step, float top);
+
 /// Places for `size` bodies in rows of `columns`, `spacing` apart, about the origin: what fills an arena of
 /// halfWidth and halfHeight evenly.
 class Grid {

@@ -3,16 +3,25 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
 #include <stdexcept>
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 
-#include "drawing/whole_file.h"
-
 namespace testbed {
 namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void FailToWrite(const std::string &path, const std::string &reason) {
+    throw std::runtime_error("cannot write " + path + ": " + reason);
+}
 
 /// What cairo writes, appended to the bytes of the file.
 cairo_status_t Append(void *bytes, const unsigned char *data, unsigned length) {
@@ -31,6 +40,38 @@ cairo_surface_t *MakeSurface(const std::string &path, std::string *bytes, double
 
 } // namespace
 
+void CheckWritable(const std::string &path) {
+    std::error_code error;
+    const fs::path directory = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
+    if (!fs::exists(directory, error))
+        FailToWrite(path, "there is no directory " + directory.string());
+    if (!fs::is_directory(directory, error))
+        FailToWrite(path, std::strerror(ENOTDIR));
+    if (fs::is_directory(path, error))
+        FailToWrite(path, std::strerror(EISDIR));
+}
+
+void WriteWholeFile(const std::string &path, const std::string &content) {
+    std::error_code error;
+    const fs::path target = fs::weakly_canonical(path, error);
+    const bool replaces = !fs::exists(target, error) || fs::is_regular_file(target, error);
+    const fs::path written = replaces ? fs::path(target) += ".part" : target;
+    errno = 0;
+    std::ofstream stream(written, std::ios::binary);
+    stream << content << std::flush;
+    const int failure = errno;
+    if (!stream) {
+        if (replaces)
+            fs::remove(written, error);
+        FailToWrite(path, std::strerror(failure));
+    }
+    if (!replaces)
+        return;
+    fs::rename(written, target, error);
+    if (error)
+        FailToWrite(path, error.message());
+}
+
 bool EndsWith(const std::string &path, const std::string &ending) {
     return path.size() > ending.size() &&
            path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
@@ -38,6 +79,34 @@ bool EndsWith(const std::string &path, const std::string &ending) {
 
 bool IsPicturePath(const std::string &path) {
     return EndsWith(path, ".svg") || EndsWith(path, ".png") || EndsWith(path, ".pdf");
+}
+
+Rectangle NoRectangle() {
+    constexpr double kFar = std::numeric_limits<double>::max();
+    return {kFar, kFar, -kFar, -kFar};
+}
+
+bool IsEmpty(const Rectangle &box) {
+    return box.left > box.right || box.bottom > box.top;
+}
+
+void Grow(Rectangle *box, bmr_vec2 point, double radius) {
+    Grow(box, {point.x - radius, point.y - radius, point.x + radius, point.y + radius});
+}
+
+void Grow(Rectangle *box, const Rectangle &other) {
+    *box = {std::min(box->left, other.left), std::min(box->bottom, other.bottom),
+            std::max(box->right, other.right), std::max(box->top, other.top)};
+}
+
+Rectangle Intersection(const Rectangle &a, const Rectangle &b) {
+    return {std::max(a.left, b.left), std::max(a.bottom, b.bottom), std::min(a.right, b.right),
+            std::min(a.top, b.top)};
+}
+
+Rectangle Widened(const Rectangle &box, double share) {
+    const double by = share * std::max(box.Width(), box.Height());
+    return {box.left - by, box.bottom - by, box.right + by, box.top + by};
 }
 
 std::vector<bmr_vec2> Clipped(const std::vector<bmr_vec2> &polygon, bmr_vec2 normal, double offset) {

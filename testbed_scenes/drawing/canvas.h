@@ -12,6 +12,15 @@
 
 namespace testbed {
 
+/// Throws std::runtime_error, which says why, if a file cannot be written there, as far as that can be known
+/// before the work.
+void CheckWritable(const std::string &path);
+
+/// Writes a file that is there whole or as it was before: beside its place first, as path.part, which then
+/// takes its place. A device or a pipe is written directly, and of a link what it leads to. Throws
+/// std::runtime_error.
+void WriteWholeFile(const std::string &path, const std::string &content);
+
 bool EndsWith(const std::string &path, const std::string &ending);
 /// Whether there is a kind of picture for the ending of this path: .svg, .png or .pdf.
 bool IsPicturePath(const std::string &path);
@@ -52,6 +61,15 @@ struct Rectangle {
     double Width() const { return right - left; }
     double Height() const { return top - bottom; }
 };
+
+/// A rectangle that holds nothing, and how it grows.
+Rectangle NoRectangle();
+bool IsEmpty(const Rectangle &box);
+void Grow(Rectangle *box, bmr_vec2 point, double radius = 0.0);
+void Grow(Rectangle *box, const Rectangle &other);
+Rectangle Intersection(const Rectangle &a, const Rectangle &b);
+/// Wider by a share of its larger side, on each side.
+Rectangle Widened(const Rectangle &box, double share);
 
 /// What is left of a convex polygon on the inner side of a line: <normal, x> >= offset.
 std::vector<bmr_vec2> Clipped(const std::vector<bmr_vec2> &polygon, bmr_vec2 normal, double offset);

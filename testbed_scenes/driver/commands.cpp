@@ -10,7 +10,6 @@
 
 #include <unistd.h>
 
-#include "command_line/nearest.h"
 #include "command_line/usage.h"
 #include "compare.h"
 #include "terminal.h"

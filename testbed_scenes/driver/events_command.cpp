@@ -11,7 +11,7 @@
 
 #include <unistd.h>
 
-#include "drawing/whole_file.h"
+#include "drawing/canvas.h"
 #include "terminal.h"
 #include "theory/event_tables.h"
 

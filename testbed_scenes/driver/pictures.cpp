@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "commands.h"
-#include "drawing/whole_file.h"
+#include "drawing/canvas.h"
 #include "picture/world_view.h"
 
 namespace testbed {

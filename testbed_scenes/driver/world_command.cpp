@@ -12,7 +12,6 @@
 #include <unistd.h>
 
 #include "boomerang/families.h"
-#include "command_line/nearest.h"
 #include "command_line/usage.h"
 #include "commands.h"
 #include "pictures.h"

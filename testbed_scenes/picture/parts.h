@@ -6,7 +6,6 @@
 #include <deque>
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,34 +77,6 @@ void DrawBoxes(Canvas &canvas, const WorldView &world, double unit);
 void DrawPeriodicBox(Canvas &canvas, const Rectangle &box, double unit);
 /// Points of contact, and the normal, longer for a larger impulse.
 void DrawContacts(Canvas &canvas, const WorldView &world, double unit);
-
-/// Short texts beside points of a page, none over another or over the edge of its area. The canvas shows the
-/// page itself (Canvas::ClearPanel).
-class Labels {
-public:
-    Labels(Canvas &canvas, const Rectangle &area, double unit)
-        : m_canvas(canvas), m_area(area), m_unit(unit) {}
-
-    /// Keeps labels away from here.
-    void Block(bmr_vec2 at, double radius);
-    /// Writes a text near a point, with a line to the point where there is no room close by; nothing where
-    /// there is no room at all.
-    void Place(bmr_vec2 at, const std::string &text);
-    /// Writes a text around a point, if it fits there and not elsewhere.
-    void PlaceAt(bmr_vec2 at, const std::string &text, double size);
-
-private:
-    bool IsFree(const Rectangle &box) const;
-
-    Canvas &m_canvas;
-    const Rectangle m_area;
-    const double m_unit;
-    std::vector<Rectangle> m_taken;
-};
-
-/// The middle of the corners of what a region shows of a body's polygons, in the world; nothing where it
-/// shows none.
-std::optional<bmr_vec2> PlaceIn(const WorldView &world, const Rectangle &region, int body);
 
 // --- Why pairs are known to be apart.
 

@@ -2,8 +2,10 @@
 #include "picture/world_view.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <stdexcept>
+
+#include "picture/picture.h"
 
 namespace testbed {
 
@@ -84,32 +86,121 @@ bmr_vec2 ToVec2(const Vec &v) {
     return bmr_vec2_make(static_cast<double>(v.x), static_cast<double>(v.y));
 }
 
-Rectangle NoRectangle() {
-    constexpr double kFar = std::numeric_limits<double>::max();
-    return {kFar, kFar, -kFar, -kFar};
+// --- which part of the world a picture shows ---
+
+namespace {
+
+/// Bodies outside of the middle part of all, widened by kReach of its size, are taken for runaways.
+constexpr double kMiddleFrom = 0.05, kReach = 0.3;
+/// Share of the region left empty around what it shows.
+constexpr double kMargin = 0.04;
+/// Around bodies in focus: room for what is beside them.
+constexpr double kRoomAround = 0.25;
+/// The picture's height is kept between these multiples of its width.
+constexpr double kFlattest = 0.35, kTallest = 1.1;
+
+double Quantile(std::vector<double> values, double share) {
+    const auto index = static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)));
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(index), values.end());
+    return values[index];
 }
 
-bool IsEmpty(const Rectangle &box) {
-    return box.left > box.right || box.bottom > box.top;
+/// Around the moving bodies without runaways, with as much of the ground as lies near.
+Rectangle RegionOfAll(const WorldView &world) {
+    std::vector<Rectangle> moving, resting;
+    for (const shown::Body &body : world.Frame().bodies) {
+        for (const shown::Fixture *fixture : world.FixturesOf(body.number))
+            (body.type == "static" ? resting : moving).push_back(world.BoxOf(*fixture));
+    }
+    if (moving.empty())
+        std::swap(moving, resting);
+    if (moving.empty())
+        return {-1.0, -1.0, 1.0, 1.0};
+    auto quantile = [&moving](double Rectangle::*side, double share) {
+        std::vector<double> values;
+        values.reserve(moving.size());
+        for (const Rectangle &box : moving)
+            values.push_back(box.*side);
+        return Quantile(std::move(values), share);
+    };
+    const Rectangle middle = {
+        quantile(&Rectangle::left, kMiddleFrom), quantile(&Rectangle::bottom, kMiddleFrom),
+        quantile(&Rectangle::right, 1.0 - kMiddleFrom), quantile(&Rectangle::top, 1.0 - kMiddleFrom)};
+    const Rectangle reach = Widened(middle, kReach);
+    Rectangle region = middle;
+    for (const std::vector<Rectangle> *boxes : {&moving, &resting}) {
+        for (const Rectangle &box : *boxes)
+            if (const Rectangle seen = Intersection(box, reach); !IsEmpty(seen))
+                Grow(&region, seen);
+    }
+    return Widened(region, kMargin);
 }
 
-void Grow(Rectangle *box, bmr_vec2 point, double radius) {
-    Grow(box, {point.x - radius, point.y - radius, point.x + radius, point.y + radius});
+/// A body with its nearest gaps: those of up to kNearest pairs within kFarthest of its size, and the nearest
+/// in any case.
+Rectangle RegionOfOne(const WorldView &world, int number) {
+    constexpr std::size_t kNearest = 4;
+    constexpr double kFarthest = 3.0;
+    std::vector<const shown::Pair *> pairs;
+    for (const shown::Pair &pair : world.Frame().pairs)
+        if ((pair.a == number || pair.b == number) && pair.polygon_contacts > 0 && pair.touching == 0)
+            pairs.push_back(&pair);
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const auto *a, const auto *b) { return a->distance < b->distance; });
+    pairs.resize(std::min(pairs.size(), kNearest));
+    const Rectangle box = world.BoxOfBody(number), near = Widened(box, kFarthest);
+    Rectangle region = box;
+    for (const shown::Pair *pair : pairs) {
+        Rectangle gap = NoRectangle();
+        for (const shown::Vec &point : pair->closest)
+            Grow(&gap, ToVec2(point));
+        Rectangle both = near;
+        Grow(&both, gap);
+        const bool isNear = both.Width() <= near.Width() && both.Height() <= near.Height();
+        if (isNear || pair == pairs[0])
+            Grow(&region, gap);
+    }
+    return region;
 }
 
-void Grow(Rectangle *box, const Rectangle &other) {
-    *box = {std::min(box->left, other.left), std::min(box->bottom, other.bottom),
-            std::max(box->right, other.right), std::max(box->top, other.top)};
+/// One body and what is beside it; of two, whatever of both is not much larger than the smaller one.
+Rectangle RegionOfBodies(const WorldView &world, const std::vector<int> &bodies) {
+    Rectangle region = NoRectangle();
+    for (const int body : bodies)
+        world.PoseOf(body); // throws
+    if (bodies.size() == 1) {
+        region = RegionOfOne(world, bodies[0]);
+    } else {
+        Rectangle boxes[2] = {world.BoxOfBody(bodies[0]), world.BoxOfBody(bodies[1])};
+        if (std::max(boxes[1].Width(), boxes[1].Height()) < std::max(boxes[0].Width(), boxes[0].Height()))
+            std::swap(boxes[0], boxes[1]);
+        region = boxes[0];
+        if (const Rectangle near = Intersection(boxes[1], Widened(boxes[0], 1.0)); !IsEmpty(near))
+            Grow(&region, near);
+    }
+    if (IsEmpty(region)) { // no fixtures
+        const bmr_vec2 at = ToVec2(world.PoseOf(bodies[0]).position);
+        region = NoRectangle();
+        Grow(&region, at, 1.0);
+    }
+    return Widened(region, kRoomAround);
 }
 
-Rectangle Intersection(const Rectangle &a, const Rectangle &b) {
-    return {std::max(a.left, b.left), std::max(a.bottom, b.bottom), std::min(a.right, b.right),
-            std::min(a.top, b.top)};
+/// A region of an awkward shape gets more of its surroundings, about its own middle.
+Rectangle WithGoodShape(const Rectangle &region) {
+    const double height = std::max({region.Height(), kFlattest * region.Width(), 1e-3});
+    const double width = std::max(region.Width(), height / kTallest);
+    const double x = 0.5 * (region.left + region.right), y = 0.5 * (region.bottom + region.top);
+    return {x - 0.5 * width, y - 0.5 * height, x + 0.5 * width, y + 0.5 * height};
 }
 
-Rectangle Widened(const Rectangle &box, double share) {
-    const double by = share * std::max(box.Width(), box.Height());
-    return {box.left - by, box.bottom - by, box.right + by, box.top + by};
+} // namespace
+
+Rectangle RegionOf(const shown::Frame &frame, const PictureOptions &options) {
+    const WorldView world(frame);
+    if (options.region)
+        return WithGoodShape(*options.region);
+    return WithGoodShape(options.bodies.empty() ? RegionOfAll(world) : RegionOfBodies(world, options.bodies));
 }
 
 } // namespace testbed

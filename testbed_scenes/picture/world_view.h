@@ -43,15 +43,6 @@ private:
 
 bmr_vec2 ToVec2(const shown::Vec &v);
 
-/// A rectangle that holds nothing, and how it grows.
-Rectangle NoRectangle();
-bool IsEmpty(const Rectangle &box);
-void Grow(Rectangle *box, bmr_vec2 point, double radius = 0.0);
-void Grow(Rectangle *box, const Rectangle &other);
-Rectangle Intersection(const Rectangle &a, const Rectangle &b);
-/// Wider by a share of its larger side, on each side.
-Rectangle Widened(const Rectangle &box, double share);
-
 } // namespace testbed
 
 #endif

@@ -118,34 +118,29 @@ class CoinsPile final : public Scene {
 } // namespace
 
 void AddCoins(std::vector<SceneInfo> &scenes) {
-    SceneInfo gas = {"coins-gas", "64-gons of 11 fixtures each bounce about in a closed box",
-                     "hard",      250,
-                     300,         CreateScene<CoinsGas>};
-    SceneInfo pile = {"coins-pile",          "larger such coins fall into a pile", "hard", 200, 300,
-                      CreateScene<CoinsPile>};
-    gas.polygons = pile.polygons = {BodyKind::Many, 64};
-    scenes.insert(scenes.end(), {gas, pile});
+    const PolygonChoice coins = {BodyKind::Many, 64};
+    scenes.push_back(WithPolygons({"coins-gas", "64-gons of 11 fixtures each bounce about in a closed box",
+                                   "hard", 250, 300, CreateScene<CoinsGas>},
+                                  coins));
+    scenes.push_back(WithPolygons(
+        {"coins-pile", "larger such coins fall into a pile", "hard", 200, 300, CreateScene<CoinsPile>},
+        coins));
 }
 
 void AddAnySizeBodies(std::vector<SceneInfo> &scenes) {
-    SceneInfo gas = {"any-gas",  "coins of any number of corners bounce about in a closed box",
-                     "any-size", 250,
-                     300,        CreateScene<CoinsGas>};
-    SceneInfo pile = {
-        "any-pile", "larger such coins fall into a pile", "any-size", 200, 300, CreateScene<CoinsPile>};
-    gas.polygons = pile.polygons = {BodyKind::One, 256};
-    scenes.insert(scenes.end(), {gas, pile});
-    SceneInfo stack = {"any-stack",       "coins with many corners stand on each other", "any-size", 10, 300,
-                       CreateScene<Stack>};
-    stack.polygons = {BodyKind::One, 64};
-    SceneInfo wheels = {"any-wheels",       "polygons of many vertices roll down a slope", "any-size", 8, 300,
-                        CreateScene<Wheels>};
-    wheels.polygons = {BodyKind::One, 1024};
-    SceneInfo planet = {"any-planet", "towers of boxes stand on a planet that is one polygon",
-                        "any-size",   160,
-                        300,          CreateScene<Planet>};
-    planet.polygons = {BodyKind::One, 4096};
-    scenes.insert(scenes.end(), {stack, wheels, planet});
+    const auto add = [&](int vertices, const SceneInfo &info) {
+        scenes.push_back(WithPolygons(info, {BodyKind::One, vertices}));
+    };
+    add(256, {"any-gas", "coins of any number of corners bounce about in a closed box", "any-size", 250, 300,
+              CreateScene<CoinsGas>});
+    add(256,
+        {"any-pile", "larger such coins fall into a pile", "any-size", 200, 300, CreateScene<CoinsPile>});
+    add(64, {"any-stack", "coins with many corners stand on each other", "any-size", 10, 300,
+             CreateScene<Stack>});
+    add(1024, {"any-wheels", "polygons of many vertices roll down a slope", "any-size", 8, 300,
+               CreateScene<Wheels>});
+    add(4096, {"any-planet", "towers of boxes stand on a planet that is one polygon", "any-size", 160, 300,
+               CreateScene<Planet>});
 }
 
 } // namespace testbed

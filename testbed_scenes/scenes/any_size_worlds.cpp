@@ -133,12 +133,7 @@ class RoundedGears final : public Scene {
             const float at = phase + 2.0f * b2_pi * static_cast<float>(i) / teeth;
             AnySizePolygon(choice.bodies, ToothOutline(choice.vertices, at)).AddTo(stage, gear, steel);
         }
-        b2RevoluteJointDef axle;
-        axle.Initialize(frame, gear, center);
-        axle.enableMotor = driven;
-        axle.motorSpeed = 1.0f;
-        axle.maxMotorTorque = 1e3f; // stalls where a pebble is caught
-        stage.AddJoint(axle);
+        AddAxle(stage, frame, gear, driven, 1e3f); // stalls where a pebble is caught
     }
 
     static constexpr int teeth = 24, pebbles = 60;
@@ -222,20 +217,15 @@ class Bag final : public Scene {
 } // namespace
 
 void AddAnySizeWorlds(std::vector<SceneInfo> &scenes) {
-    SceneInfo bullets = {"any-bullets", "round bullets hit thin planks, bare edges and chains",
-                         "any-size",    120,
-                         300,           CreateScene<BulletsAtThin>};
-    bullets.polygons = {BodyKind::One, 256};
-    SceneInfo gears = {"any-gears", "pebbles fall on gears in mesh whose teeth are rounded",
-                       "any-size",  6,
-                       300,         CreateScene<RoundedGears>};
-    gears.polygons = {BodyKind::One, 32};
-    SceneInfo bag = {
-        "any-bag",  "polygons of all sizes, ellipses, capsules, circles and boxes fall on a chain",
-        "any-size", 150,
-        420,        CreateScene<Bag>};
-    bag.polygons = {BodyKind::One, 512};
-    scenes.insert(scenes.end(), {bullets, gears, bag});
+    const auto add = [&](int vertices, const SceneInfo &info) {
+        scenes.push_back(WithPolygons(info, {BodyKind::One, vertices}));
+    };
+    add(256, {"any-bullets", "round bullets hit thin planks, bare edges and chains", "any-size", 120, 300,
+              CreateScene<BulletsAtThin>});
+    add(32, {"any-gears", "pebbles fall on gears in mesh whose teeth are rounded", "any-size", 6, 300,
+             CreateScene<RoundedGears>});
+    add(512, {"any-bag", "polygons of all sizes, ellipses, capsules, circles and boxes fall on a chain",
+              "any-size", 150, 420, CreateScene<Bag>});
 }
 
 } // namespace testbed

@@ -34,21 +34,10 @@ class Gears final : public Scene {
             const float phase = (row + column) % 2 == 0 ? 0.0f : b2_pi / teeth;
             AddGear(stage, frame, center, phase, i == 0);
         }
-        m_nextOctagon = 0;
-        m_octagons = 150;
         m_top = top;
     }
 
-    // The octagons come in over the first seconds, for there is no room for them all at once.
-    void BeforeStep(Stage &stage, int) override {
-        if (m_nextOctagon == m_octagons)
-            return;
-        ++m_nextOctagon;
-        const float above = stage.Rng().Uniform(-2.0f, 2.0f);
-        const float across = stage.Rng().Uniform(-10.0f, 10.0f);
-        b2Body *body = stage.AddBody(b2_dynamicBody, {across, m_top - 6.0f + above});
-        stage.AddFixture(body, Material(1.0f, 0.5f), MakeRegular(8, stage.Rng().Uniform(0.2f, 0.35f)));
-    }
+    void BeforeStep(Stage &stage, int step) override { DropOctagon(stage, step, m_top); }
 
     static void AddGear(Stage &stage, b2Body *frame, b2Vec2 center, float phase, bool driven) {
         const b2FixtureDef steel = Material(5.0f, 0.1f);
@@ -64,15 +53,9 @@ class Gears final : public Scene {
             tooth.Set(corners, 4);
             stage.AddFixture(gear, steel, tooth);
         }
-        b2RevoluteJointDef axle;
-        axle.Initialize(frame, gear, center);
-        axle.enableMotor = driven;
-        axle.motorSpeed = 1.0f;
-        axle.maxMotorTorque = 1e5f;
-        stage.AddJoint(axle);
+        AddAxle(stage, frame, gear, driven, 1e5f);
     }
 
-    int m_nextOctagon = 0, m_octagons = 0;
     float m_top = 0.0f;
 };
 

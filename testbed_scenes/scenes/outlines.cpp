@@ -52,24 +52,11 @@ class GearsOutline final : public Scene {
                                 pitchRadius * static_cast<float>(2 * row + 1));
             b2Body *gear = stage.AddBody(b2_dynamicBody, center);
             gears[(row + column) % 2].AddTo(stage, gear, Material(5.0f, 0.1f));
-            b2RevoluteJointDef axle;
-            axle.Initialize(frame, gear, center);
-            axle.enableMotor = i == 0;
-            axle.motorSpeed = 1.0f;
-            axle.maxMotorTorque = 1e5f;
-            stage.AddJoint(axle);
+            AddAxle(stage, frame, gear, i == 0, 1e5f);
         }
     }
 
-    // The octagons come in over the first seconds, for there is no room for them all at once.
-    void BeforeStep(Stage &stage, int step) override {
-        if (step >= octagons)
-            return;
-        const float above = stage.Rng().Uniform(-2.0f, 2.0f);
-        const float across = stage.Rng().Uniform(-10.0f, 10.0f);
-        b2Body *body = stage.AddBody(b2_dynamicBody, {across, m_top - 6.0f + above});
-        stage.AddFixture(body, Material(1.0f, 0.5f), MakeRegular(8, stage.Rng().Uniform(0.2f, 0.35f)));
-    }
+    void BeforeStep(Stage &stage, int step) override { DropOctagon(stage, step, m_top); }
 
     /// Tooth by tooth: its right foot, its tip, which is round where there are points for that, its left
     /// foot.
@@ -89,7 +76,7 @@ class GearsOutline final : public Scene {
         return outline;
     }
 
-    static constexpr int teeth = 24, octagons = 150;
+    static constexpr int teeth = 24;
     static constexpr float pitchRadius = 2.0f, rootRadius = 1.75f, tipRadius = 2.17f;
     // Half widths of a tooth, as in the scene `gears`.
     static constexpr float rootHalf = 0.135f, tipHalf = 0.06f;
@@ -208,24 +195,20 @@ class Caves final : public Scene {
     static constexpr float side = 10.0f;
 };
 
-SceneInfo Info(const char *name, const char *description, int size, int points,
-               std::unique_ptr<Scene> (*create)()) {
-    SceneInfo info = {name, description, "outlines", size, 300, create};
-    info.polygons = {BodyKind::One, points};
-    return info;
-}
-
 } // namespace
 
 void AddOutlines(std::vector<SceneInfo> &scenes) {
-    scenes.push_back(Info("asteroids-outline", "the asteroids, each cut into few convex pieces", 150, 63,
-                          CreateScene<AsteroidsOutline>));
-    scenes.push_back(Info("gears-outline", "octagons fall on gears in mesh, each of them one outline", 18, 96,
-                          CreateScene<GearsOutline>));
-    scenes.push_back(Info("silhouettes", "scanned silhouettes, within a hundredth of their size, pile up", 48,
-                          500, CreateScene<Silhouettes>));
-    scenes.push_back(Info("caves", "stars, coins, boxes and octagons fall in the caves of one rock", 120, 48,
-                          CreateScene<Caves>));
+    const auto add = [&](int points, const SceneInfo &info) {
+        scenes.push_back(WithPolygons(info, {BodyKind::One, points}));
+    };
+    add(63, {"asteroids-outline", "the asteroids, each cut into few convex pieces", "outlines", 150, 300,
+             CreateScene<AsteroidsOutline>});
+    add(96, {"gears-outline", "octagons fall on gears in mesh, each of them one outline", "outlines", 18, 300,
+             CreateScene<GearsOutline>});
+    add(500, {"silhouettes", "scanned silhouettes, within a hundredth of their size, pile up", "outlines", 48,
+              300, CreateScene<Silhouettes>});
+    add(48, {"caves", "stars, coins, boxes and octagons fall in the caves of one rock", "outlines", 120, 300,
+             CreateScene<Caves>});
 }
 
 } // namespace testbed

@@ -14,61 +14,34 @@ std::vector<bmr_vec2> OutlinePoints(bmr_ngon outline, size_t n, uint64_t seed) {
     return points;
 }
 
-/// The bodies of an experiment, made once for each seed.
-struct Bodies {
-    std::shared_ptr<const Body> a, b;
-};
-
-Bodies MakeBodies(const Experiment &experiment, uint64_t seed) {
-    Bodies bodies;
+/// One of the two bodies of an experiment, for a seed.
+std::shared_ptr<const Body> MakeBody(const Experiment &experiment, int index, uint64_t seed) {
+    if (index == 1 && experiment.point)
+        return std::make_shared<Body>(std::vector<bmr_vec2>{{0.0, 0.0}});
     const std::vector<std::string> &files = experiment.polygonFiles;
-    bodies.a =
-        std::make_shared<Body>(files.empty() ? OutlinePoints(experiment.outlines[0], experiment.n, 2 * seed)
-                                             : ReadPolygonFile(files.front()));
-    if (experiment.point)
-        bodies.b = std::make_shared<Body>(std::vector<bmr_vec2>{{0.0, 0.0}});
-    else
-        bodies.b = std::make_shared<Body>(
-            files.empty() ? OutlinePoints(experiment.outlines[1], experiment.n, 2 * seed + 1)
-                          : ReadPolygonFile(files.back()));
-    return bodies;
+    if (!files.empty())
+        return std::make_shared<Body>(ReadPolygonFile(index == 0 ? files.front() : files.back()));
+    return std::make_shared<Body>(
+        OutlinePoints(experiment.outlines[index], experiment.n, 2 * seed + static_cast<uint64_t>(index)));
 }
 
 /// Twice as fine changes the bounds by less than the seeds do.
 constexpr double kOptimumResolution = 0.02;
 
-/// Everything that is run on one course.
-class CourseRuns {
-public:
-    CourseRuns(const Experiment &experiment, const Course &course, Run common, std::vector<Run> &runs)
-        : m_experiment(experiment), m_course(course), m_common(std::move(common)), m_runs(runs) {
-        m_common.rigid = course.IsRigid();
-        m_common.convex = course.IsConvex();
-        m_common.n = course.BodyOf(0).Polygon()->count;
-        if (experiment.optimum) {
-            const bmr_course followed = course.AsCourse();
-            bmr_optimum optimum = {};
-            Require(bmr_offline_optimum(&followed, DefFor(course).margin, kOptimumResolution, nullptr, 0,
-                                        &optimum),
-                    "the offline optimum");
-            m_common.optimum = optimum;
-        }
-        m_common.ratio = course.Separation() > 0.0 ? course.Diameter() / course.Separation() : INFINITY;
-    }
-
-    void Perform(const bmr_kds_info &structure) {
-        Run run = m_common;
-        run.structure = &structure;
-        run.outcome = Follow(m_course, structure, DefFor(m_course), m_experiment.audit);
-        m_runs.push_back(std::move(run));
-    }
-
-private:
-    const Experiment &m_experiment;
-    const Course &m_course;
-    Run m_common;
-    std::vector<Run> &m_runs;
-};
+/// What all runs on a course have in common.
+void Describe(const Course &course, bool optimum, Run *common) {
+    common->rigid = course.IsRigid();
+    common->convex = course.IsConvex();
+    common->n = course.BodyOf(0).Polygon()->count;
+    common->ratio = course.Separation() > 0.0 ? course.Diameter() / course.Separation() : INFINITY;
+    if (!optimum)
+        return;
+    const bmr_course followed = course.AsCourse();
+    common->optimum.emplace();
+    Require(bmr_offline_optimum(&followed, DefFor(course).margin, kOptimumResolution, nullptr, 0,
+                                &*common->optimum),
+            "the offline optimum");
+}
 
 } // namespace
 
@@ -91,7 +64,7 @@ std::vector<Run> Perform(const Experiment &experiment, const ExperimentProgress 
     const size_t total = jobs.size() * experiment.structures.size();
     size_t done = 0;
     for (const Job &job : jobs) {
-        const Bodies bodies = MakeBodies(experiment, job.seed);
+        const auto a = MakeBody(experiment, 0, job.seed), b = MakeBody(experiment, 1, job.seed);
         Run common;
         common.seed = job.seed;
         common.ratioIndex = job.ratio;
@@ -101,19 +74,23 @@ std::vector<Run> Perform(const Experiment &experiment, const ExperimentProgress 
         if (ownMotion) {
             file = ReadMotionFile(experiment.motionFile);
             common.motion = experiment.motionFile;
-            course = std::make_unique<Course>(bodies.a, bodies.b, file);
+            course = std::make_unique<Course>(a, b, file);
         } else {
             const bmr_family family = experiment.motions[job.motion];
             common.motion = bmr_family_name(family);
             progress(common.motion, done, total);
             course = std::make_unique<Course>(
-                bodies.a, bodies.b, bmr_family_def{family, experiment.ratios[job.ratio], job.seed, 0, 0});
+                a, b, bmr_family_def{family, experiment.ratios[job.ratio], job.seed, 0, 0});
         }
-        CourseRuns courseRuns(experiment, *course, common, runs);
+        Describe(*course, experiment.optimum, &common);
         for (const bmr_kds_info *structure : experiment.structures) {
             progress(common.motion + ", " + structure->name, done++, total);
-            if (Takes(*structure, *course))
-                courseRuns.Perform(*structure);
+            if (!Takes(*structure, *course))
+                continue;
+            Run run = common;
+            run.structure = structure;
+            run.outcome = Follow(*course, *structure, DefFor(*course), experiment.audit);
+            runs.push_back(std::move(run));
         }
         if (experiment.onCourse)
             experiment.onCourse(*course, common.motion, job.ratio, job.seed);

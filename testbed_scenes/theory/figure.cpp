@@ -46,15 +46,10 @@ std::vector<bmr_vec2> Envelope(const bmr_hierarchy *hierarchy, uint32_t level) {
 }
 
 Rectangle Around(const std::vector<bmr_vec2> &points, double margin) {
-    Rectangle box = {points[0].x, points[0].y, points[0].x, points[0].y};
-    for (const bmr_vec2 &point : points) {
-        box.left = std::min(box.left, point.x);
-        box.right = std::max(box.right, point.x);
-        box.bottom = std::min(box.bottom, point.y);
-        box.top = std::max(box.top, point.y);
-    }
-    const double by = margin * std::max(box.Width(), box.Height());
-    return {box.left - by, box.bottom - by, box.right + by, box.top + by};
+    Rectangle box = NoRectangle();
+    for (const bmr_vec2 &point : points)
+        Grow(&box, point);
+    return Widened(box, margin);
 }
 
 std::vector<bmr_vec2> Placed(const std::vector<bmr_vec2> &points, const bmr_pose &pose) {

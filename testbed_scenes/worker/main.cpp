@@ -14,7 +14,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "command_line/nearest.h"
 #include "command_line/usage.h"
 
 namespace testbed {

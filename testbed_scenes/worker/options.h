@@ -8,12 +8,19 @@
 
 #include "scene.h"
 #include "worker/frame_maker.h"
-#include "worker/listener.h"
 #include "worker/plugin.h"
 
 namespace testbed {
 
 enum class Mode { Hash, Count, Time };
+
+/// What the contact listener of a game does.
+enum class Listening {
+    None,   ///< there is none, except in scenes that listen themselves
+    Counts, ///< counts its calls
+    Reads,  ///< reads manifolds, impulses and bodies, too
+    Acts    ///< disables contacts, changes friction and pushes bodies, too
+};
 
 /// What the command line asks for. Steps count from 0.
 struct Options {

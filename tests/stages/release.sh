@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # all programs and tests with gcc -O3; all tests
 
-# The testbed is compiled the quick way here; that each file includes what it needs shows in the tree of the sanitizers of a
-# long run.
+# The testbed and the static glue are compiled the quick way here; that each file includes what it needs shows in the plugin and, of
+# the testbed, in the tree of the sanitizers of a long run.
 # In the gate most tests of core and of the glue run under the sanitizers alone (tests/CMakeLists.txt says which run here).
 build_release() {
     local share=''

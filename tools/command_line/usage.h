@@ -3,6 +3,7 @@
 #define BOOMERANG_COMMAND_LINE_USAGE_H
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -10,6 +11,18 @@ class ParseError;
 } // namespace CLI
 
 namespace command_line {
+
+/// The fewest insertions, deletions, replacements and swaps of neighbours that turn one word into the other
+/// (optimal string alignment). O(|a| |b|).
+int EditDistance(const std::string &a, const std::string &b);
+
+/// The candidate that is nearest to the word, if one is near: one that begins with the word or contains it
+/// (three letters at least) goes before any that needs editing, and of those a third of the word's letters
+/// may be wrong. Empty if none is. Ties go to the earlier candidate.
+std::string Nearest(const std::string &word, const std::vector<std::string> &candidates);
+
+/// "; the nearest is "planks"", or nothing where none is near.
+std::string NearestClause(const std::string &word, const std::vector<std::string> &candidates);
 
 /// For a program with commands: what is wrong with the word that should be one, if it is none; else empty.
 /// (CLI11 alone would only miss one.)
