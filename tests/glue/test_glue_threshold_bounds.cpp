@@ -8,6 +8,7 @@
 // is linear. So the corners of the sizes' range decide.
 #include "cases.h"
 #include "glue/proofs/thresholds.h"
+#include "random.h"
 
 // --- Intervals of reals, rounded outwards, and what float arithmetic makes of a real that lies in one. ---
 
@@ -538,4 +539,19 @@ TEST_CASE("the same leave what b2TestOverlap's distance may be off by") {
         MESSAGE("units: ", off / kUnit, " of ", left / kUnit);
         CHECK(off <= left);
     }
+}
+
+TEST_CASE("rotations are off unit length by less than is allowed for") {
+    test_random random = {44};
+    double most = 0.0;
+    for (size_t i = 0; i < test_scaled(300000); ++i) {
+        const auto angle = static_cast<float>(std::pow(10.0, test_random_uniform(&random, -3.0, 6.0)));
+        const b2Rot q(angle);
+        const double s = q.s, c = q.c;
+        most = std::max(most, std::fabs(std::sqrt(s * s + c * c) - 1.0));
+        const double off = std::hypot(s - std::sin(double{angle}), c - std::cos(double{angle}));
+        REQUIRE(off < 1.2 * double{bmr::kUnit});
+    }
+    MESSAGE("units: ", most / double{bmr::kUnit});
+    CHECK(most < 1.2 * double{bmr::kUnit});
 }
