@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -144,6 +145,23 @@ private:
 
 /// The bytes of a seed (seeds.cpp): what chance alone would find only after long. The same on every machine.
 std::vector<uint8_t> BytesOf(uint32_t seed);
+
+/// Plays what comes from `in`, each input in a process of its own, and writes to `out` the records up to
+/// where it ends, be it by an assertion of Box2D's. Returns when `in` is closed.
+void Serve(int in, int out);
+
+/// A process that serves.
+class Server {
+public:
+    /// `process` is what the new process does; it does not return.
+    explicit Server(const std::function<void(int in, int out)> &process);
+    Server(const Server &) = delete;
+    Server &operator=(const Server &) = delete;
+    std::vector<Record> Ask(const uint8_t *data, size_t size);
+
+private:
+    int m_to = -1, m_from = -1;
+};
 
 } // namespace actor
 

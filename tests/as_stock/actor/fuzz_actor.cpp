@@ -23,7 +23,6 @@
 #include "debug/statistics.h"
 #include "harness.h"
 #include "plugin.h"
-#include "serving.h"
 
 #if defined(BOOMERANG_FUZZ_POISON)
 #    include <sanitizer/common_interface_defs.h>

@@ -4,7 +4,7 @@
 //   actor corpus FILE [NAME...] [OPTION...] the inputs of a packed corpus, or these
 //   actor play BYTES                        these bytes, two digits each
 //   actor hex FIRST COUNT                   prints those bytes: lines of a packed corpus
-//   actor serve                             plays what comes in (serving.h)
+//   actor serve                             plays what comes in (serving.cpp)
 //
 //   --any-size            those with polygons of any size; without it the others
 //   --dump RECORD         that record in words, on stderr
@@ -26,7 +26,6 @@
 #include "../../kit/packed_corpus.h"
 #include "actor.h"
 #include "plugin.h"
-#include "serving.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "serving.h"
+#include "actor.h"
 
 #include <cerrno>
 #include <cstdio>

@@ -3,4 +3,4 @@
 #include <box2d/b2_dynamic_tree.h>
 
 #define BMR_FLOAT4_PLAIN
-#include "test_glue_tree_updates.cpp" // NOLINT(bugprone-suspicious-include): the tests are the same
+#include "test_glue_tree.cpp" // NOLINT(bugprone-suspicious-include): the tests are the same
