@@ -7,7 +7,9 @@
 #include "cases.h"
 #include "random.h"
 #include "tree/edit.h"
-#include "tree/pair_descent.h"
+#if !defined(BMR_FLOAT4_PLAIN)
+#    include "tree/pair_descent.h"
+#endif
 
 // --- Random operations on trees of boxes, and all that is in a tree.
 
@@ -312,6 +314,8 @@ TEST_CASE("Box2D alone makes its array of nodes larger") {
     CHECK(*members.nodeCount == 15);
 }
 
+#if !defined(BMR_FLOAT4_PLAIN)
+
 // --- Proxies that go down the tree together find what Box2D's own query finds for each, in its order.
 
 namespace {
@@ -425,3 +429,5 @@ TEST_CASE("proxies that go down the tree together find what each finds alone, in
     CHECK(found > 0);
     CHECK(most > 1024); // the proxies of one step, which go down in two parts
 }
+
+#endif
