@@ -335,16 +335,8 @@ bmr_error bmr_distance(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_p
 // them, all equal. The levels of a hierarchy do not tell them apart either: every chain of edges there has
 // the same bound as every other.
 
-/// The best edge so far.
-typedef struct facing {
-    double separation; ///< of the other polygon from the edge's line; < 0: it is beyond it
-    bmr_vec2 normal;   ///< the edge's, outwards, its polygon's frame
-    bmr_vec2 nearest;  ///< the other polygon's vertex that is deepest, the same frame
-} facing;
-
-/// Goes through the edges of `own`; the other polygon's deepest vertex moves along with them.
-static facing best_side(const bmr_polygon *own, const bmr_polygon *other, const bmr_pose *other_in_own) {
-    facing best = {-INFINITY, {0.0, 0.0}, {0.0, 0.0}};
+bmr_edge_gap bmr_best_edge(const bmr_polygon *own, const bmr_polygon *other, const bmr_pose *other_in_own) {
+    bmr_edge_gap best = {-INFINITY, {0.0, 0.0}, {0.0, 0.0}};
     uint32_t deepest = 0;
     for (uint32_t i = 0; own->count > 1 && i < own->count; ++i) {
         const bmr_vec2 normal = bmr_polygon_normal(own, i);
@@ -352,7 +344,7 @@ static facing best_side(const bmr_polygon *own, const bmr_polygon *other, const 
         const bmr_vec2 deep = bmr_transform(other_in_own, other->vertices[deepest]);
         const double separation = bmr_dot(normal, bmr_sub(deep, own->vertices[i]));
         if (separation > best.separation) {
-            const facing found = {separation, normal, deep};
+            const bmr_edge_gap found = {separation, normal, deep};
             best = found;
         }
     }
@@ -372,7 +364,7 @@ bmr_error bmr_penetration(const bmr_polygon *a, const bmr_pose *pose_a, const bm
     if (find_closest(&q, &steps, &closest))
         return BMR_OK;
     const bmr_pose a_in_b = bmr_pose_inverse(&q.b_in_a);
-    const facing of_a = best_side(a, b, &q.b_in_a), of_b = best_side(b, a, &a_in_b);
+    const bmr_edge_gap of_a = bmr_best_edge(a, b, &q.b_in_a), of_b = bmr_best_edge(b, a, &a_in_b);
     bmr_vec2 normal, point_a, point_b; // in A's frame
     if (of_a.separation >= of_b.separation) {
         overlap->depth = fmax(0.0, -of_a.separation);

@@ -74,6 +74,15 @@ static inline uint32_t bmr_vertex_before(const bmr_polygon *p, uint32_t i) {
 bmr_error bmr_distance_counted(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
                                const bmr_pose *pose_b, bmr_closest_points *closest, unsigned *steps);
 
+/// How far a polygon is beyond the line of another one's edge.
+typedef struct bmr_edge_gap {
+    double separation; ///< < 0: it is not all beyond it; -INFINITY of a point, which has no edge
+    bmr_vec2 normal;   ///< the edge's, outwards, its polygon's frame
+    bmr_vec2 nearest;  ///< the other polygon's vertex that is deepest, the same frame
+} bmr_edge_gap;
+/// The largest over the edges of `own`; the other polygon's deepest vertex moves along with them. O(n + m).
+bmr_edge_gap bmr_best_edge(const bmr_polygon *own, const bmr_polygon *other, const bmr_pose *other_in_own);
+
 #ifdef __cplusplus
 }
 #endif

@@ -59,19 +59,6 @@ double bmr_pair_next_jump(const bmr_pair_motion *pair, double from, double to) {
     return fmin(next_jump(pair->a, from, to), next_jump(pair->b, from, to));
 }
 
-/// The largest separation over the normals of one polygon's edges, each against the other's farthest vertex.
-static double over_edges(const bmr_polygon *own, const bmr_polygon *other, const bmr_pose *other_in_own) {
-    double most = -INFINITY;
-    uint32_t v = 0;
-    for (uint32_t e = 0; e < own->count; e++) {
-        const bmr_vec2 n = bmr_polygon_normal(own, e);
-        v = bmr_polygon_support_from(other, bmr_neg(bmr_unrotate(other_in_own, n)), v);
-        const bmr_vec2 nearest = bmr_transform(other_in_own, other->vertices[v]);
-        most = fmax(most, bmr_dot(n, bmr_sub(nearest, own->vertices[e])));
-    }
-    return most;
-}
-
 double bmr_pair_separation(const bmr_pair_motion *pair, double time) {
     const bmr_pose pose = bmr_pair_instant(pair, time).pose;
     bmr_simplex simplex = bmr_simplex_make(0, 0);
@@ -82,11 +69,8 @@ double bmr_pair_separation(const bmr_pair_motion *pair, double time) {
     if (pair->shape_a->count == 1 && pair->shape_b->count == 1)
         return 0.0;
     const bmr_pose inverse = bmr_pose_inverse(&pose);
-    double most = -INFINITY;
-    if (pair->shape_a->count > 1)
-        most = over_edges(pair->shape_a, pair->shape_b, &pose);
-    if (pair->shape_b->count > 1)
-        most = fmax(most, over_edges(pair->shape_b, pair->shape_a, &inverse));
+    const double most = fmax(bmr_best_edge(pair->shape_a, pair->shape_b, &pose).separation,
+                             bmr_best_edge(pair->shape_b, pair->shape_a, &inverse).separation);
     return fmin(0.0, most);
 }
 
