@@ -203,12 +203,12 @@ static double farthest_vertex(const bmr_convex32 *p, const bmr_vec32 *loop, size
 }
 
 TEST(simplified_polygons_are_near_and_have_few_vertices) {
-    dice d = {11};
+    test_random d = {11};
     size_t control = 0, reduced = 0;
     for (size_t k = 0; k < test_scaled(300); ++k) {
-        own_convex32 *block = random_convex32(&d, random_kind(&d), 3 + dice_below(&d, 400));
+        own_convex32 *block = random_convex32(&d, random_kind(&d), 3 + test_random_below(&d, 400));
         const bmr_convex32 *p = &block->polygon;
-        const double tolerance = (double)block->reach * pow(10.0, dice_in(&d, -6.0, 0.0));
+        const double tolerance = (double)block->reach * pow(10.0, test_random_uniform(&d, -6.0, 0.0));
         bmr_vec32 *points = malloc(p->count * sizeof *points);
         assert_non_null(points);
         size_t count = 0;

@@ -68,17 +68,18 @@ TEST(large_polygons_are_apart_where_that_is_said) {
     const bmr_vec32 left[] = {{0.0f, 0.0f}, {0.0f, LENGTH}, {-1.0f, LENGTH}, {-1.0f, 0.0f}},
                     right[] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {1.0f, LENGTH}, {0.0f, LENGTH}};
     own_convex32 *const a = made_of(left, 4), *const b = made_of(right, 4);
-    dice d = {1};
+    test_random d = {1};
     size_t apart = 0;
     const size_t poses = test_scaled(20000);
     for (size_t i = 0; i < poses; ++i) {
         // A direction that is remembered as it is, and both bodies turned to it, to rounding.
         bmr_convex32_memory memory = {0, 0, 0, 0};
-        const double angle = dice_in(&d, 0.0, 6.28);
+        const double angle = test_random_uniform(&d, 0.0, 6.28);
         memory.axis_x = (int16_t)lrint(32767.0 * cos(angle));
         memory.axis_y = (int16_t)lrint(32767.0 * sin(angle));
         const double turned = atan2((double)memory.axis_y, (double)memory.axis_x);
-        const double tilt = ldexp(dice_in(&d, -1.0, 1.0), -22), gap = 0.02 * pow(dice_in(&d, 0.0, 1.0), 4.0);
+        const double tilt = ldexp(test_random_uniform(&d, -1.0, 1.0), -22),
+                     gap = 0.02 * pow(test_random_uniform(&d, 0.0, 1.0), 4.0);
         const bmr_transform32 pose_a = {{0.0f, 0.0f}, (float)sin(turned + tilt), (float)cos(turned + tilt)},
                               pose_b = {{(float)(gap * cos(turned)), (float)(gap * sin(turned))},
                                         (float)sin(turned - tilt),
@@ -204,17 +205,17 @@ static void check_apart(const pair *p, bmr_convex32_memory *memory) {
     }
 }
 
-static bmr_convex32_memory any_memory(dice *d) {
+static bmr_convex32_memory any_memory(test_random *d) {
     bmr_convex32_memory m;
-    m.support_a = (uint16_t)dice_roll(d);
-    m.support_b = (uint16_t)dice_roll(d);
-    m.axis_x = (int16_t)(dice_below(d, 65535) - 32767);
-    m.axis_y = (int16_t)(dice_below(d, 65535) - 32767);
+    m.support_a = (uint16_t)(uint32_t)test_random_next(d);
+    m.support_b = (uint16_t)(uint32_t)test_random_next(d);
+    m.axis_x = (int16_t)(test_random_below(d, 65535) - 32767);
+    m.axis_y = (int16_t)(test_random_below(d, 65535) - 32767);
     return m;
 }
 
 /// Ten poses, every fifth of which begins anew. Returns in how many the two touch.
-static size_t check_pair(dice *d, const bmr_convex32_block *a, const bmr_convex32_block *b) {
+static size_t check_pair(test_random *d, const bmr_convex32_block *a, const bmr_convex32_block *b) {
     pair p = {&a->polygon, &b->polygon, random_pose32(d, 10.0), {{0, 0}, 0, 0}, 0.0};
     p.size = fmax(1.0, fmax((double)a->reach, (double)b->reach));
     bmr_convex32_memory kept = {0};
@@ -234,7 +235,7 @@ static size_t check_pair(dice *d, const bmr_convex32_block *a, const bmr_convex3
         check_manifold(&p, &kept, &expected);
         bmr_convex32_memory other = any_memory(d), none = {0};
         check_manifold(&p, i % 2 == 0 ? &none : &other, &expected);
-        check_separation(&p, dice_roll(d));
+        check_separation(&p, (uint32_t)test_random_next(d));
         // Big polygons that are certainly within their skins have points.
         assert_true(expected.count > 0 || (p.a->count <= 8 && p.b->count <= 8) ||
                     truly_apart(&p, (double)skin - 1e-5 * p.size));
@@ -244,14 +245,14 @@ static size_t check_pair(dice *d, const bmr_convex32_block *a, const bmr_convex3
 
 TEST(same_as_all_vertices_at_4096) {
     enum { MANY = 4096 };
-    dice d = {0x5eed2u};
+    test_random d = {0x5eed2u};
     size_t touching = 0;
     for (size_t pairs = 0; pairs < test_scaled(10); ++pairs) {
         bmr_convex32_block *blocks[2];
-        const uint32_t small = dice_below(&d, 3); // which is; 2: neither
+        const uint32_t small = test_random_below(&d, 3); // which is; 2: neither
         for (uint32_t i = 0; i < 2; ++i) {
             const convex32_kind kind = random_kind(&d);
-            blocks[i] = i == small ? random_convex32(&d, kind, 3 + dice_below(&d, 6))
+            blocks[i] = i == small ? random_convex32(&d, kind, 3 + test_random_below(&d, 6))
                                    : random_convex32(&d, kind < KIND_BOX ? kind : KIND_REGULAR, MANY);
         }
         touching += check_pair(&d, blocks[0], blocks[1]);

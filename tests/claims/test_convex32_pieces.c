@@ -409,14 +409,17 @@ TEST(an_edge_of_several_knows_its_parts) {
 // ---- depths, compared with the separations along all normals ----
 
 /// Of 3 to 12 vertices on a circle around the origin, of which each edge is inner as often as not.
-static bmr_convex32_block *random_piece(dice *d) {
+static bmr_convex32_block *random_piece(test_random *d) {
     bmr_piece_corner32 corners[12];
-    const uint32_t count = 3 + (uint32_t)dice_in(d, 0.0, 9.99);
+    const uint32_t count = 3 + (uint32_t)test_random_uniform(d, 0.0, 9.99);
     for (uint32_t i = 0; i < count; ++i) {
-        const double angle = 6.283185307179586 * ((double)i + dice_in(d, 0.0, 0.7)) / (double)count;
+        const double angle =
+            6.283185307179586 * ((double)i + test_random_uniform(d, 0.0, 0.7)) / (double)count;
         const float x = (float)cos(angle), y = (float)sin(angle);
-        const float beside = (float)dice_in(d, -2.0, 2.0), out = (float)dice_in(d, 0.5, 2.0);
-        corners[i] = corner(x, y, dice_in(d, 0.0, 1.0) < 0.5, out * x - beside * y, out * y + beside * x);
+        const float beside = (float)test_random_uniform(d, -2.0, 2.0),
+                    out = (float)test_random_uniform(d, 0.5, 2.0);
+        corners[i] =
+            corner(x, y, test_random_uniform(d, 0.0, 1.0) < 0.5, out * x - beside * y, out * y + beside * x);
     }
     return made_piece(corners, count);
 }
@@ -496,22 +499,22 @@ enum { AGAINST_POLYGON, AGAINST_PIECE, AGAINST_EDGE, AGAINST_CHAIN, AGAINST_CIRC
 /// may go ten skins farther. This holds at any pose and with any seams. The control: the piece's nearest face
 /// is often farther away.
 TEST(no_manifold_is_deeper_than_the_plain_polygons) {
-    dice d = {1};
+    test_random d = {1};
     own_convex32 *box = polygon_of(4, 0.6f);
     const bmr_vec32 middle = {0.0f, 0.0f};
     for (int kind = 0; kind < AGAINST_ALL; ++kind) {
         int touching = 0, far_faces = 0, tips = 0;
         for (int trial = 0; trial < 1500; ++trial) {
             own_convex32 *piece = random_piece(&d), *other = random_piece(&d);
-            const double angle = dice_in(&d, 0.0, 6.283), way = dice_in(&d, 0.0, 1.7);
-            const double to = dice_in(&d, 0.0, 6.283);
+            const double angle = test_random_uniform(&d, 0.0, 6.283), way = test_random_uniform(&d, 0.0, 1.7);
+            const double to = test_random_uniform(&d, 0.0, 6.283);
             const bmr_transform32 pose = {
                 {(float)(way * cos(to)), (float)(way * sin(to))}, (float)sin(angle), (float)cos(angle)};
             const bmr_convex32 *const second = kind == AGAINST_PIECE ? &other->polygon : &box->polygon;
-            const bmr_edge32 edge = {{-1.6f, (float)dice_in(&d, -1.0, 1.0)},
+            const bmr_edge32 edge = {{-1.6f, (float)test_random_uniform(&d, -1.0, 1.0)},
                                      {-0.8f, 0.0f},
                                      {0.8f, 0.0f},
-                                     {1.6f, (float)dice_in(&d, -1.0, 1.0)},
+                                     {1.6f, (float)test_random_uniform(&d, -1.0, 1.0)},
                                      kind == AGAINST_CHAIN};
             const bmr_vec32 ends[2] = {edge.first, edge.second}, up = {0.0f, 1.0f}, down = {0.0f, -1.0f};
             const float radii = kind == AGAINST_CIRCLE ? 0.21f : skins;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The lanes of this processor give the bits of plain C: each operation, and what is written in them. (What is
-// written in them for swept shapes is in test_swept32.c.)
+// The order of float operations is the contract of core/exact32. The lanes of this processor give the bits of
+// plain C: each operation, and what is written in them. (What is written in them for swept shapes is in
+// test_swept32.c.)
 #include "checks.h"
 
+#include <fenv.h>
 #include <float.h>
 
 #include "convex32_poses.h"
 #include "plain_lanes.h"
+#include "polygons.h"
 
 #define FLOAT4_TABLE test_native_float4
 #include "float4_operations.h"
@@ -18,39 +21,39 @@ static bool same(float a, float b) {
     return memcmp(&a, &b, sizeof a) == 0 || (a != a && b != b);
 }
 
-static float any_bits(dice *d) {
-    const uint32_t bits = dice_roll(d);
+static float any_bits(test_random *d) {
+    const uint32_t bits = (uint32_t)test_random_next(d);
     float x;
     memcpy(&x, &bits, sizeof x);
     return x;
 }
 
 /// Ordinary, at the ends of what floats can hold, equal to others, or any 32 bits.
-static float any_float(dice *d) {
+static float any_float(test_random *d) {
     static const float ends[] = {
         0.0f,     -0.0f,    1.0f,      -1.0f, 0x1p-149f,        -0x1p-149f, FLT_MIN, -FLT_MIN, FLT_MAX,
         -FLT_MAX, INFINITY, -INFINITY, NAN,   0x1.fffffep-127f, 3.0f,       0x1p24f, 0x1p-24f, FLT_EPSILON};
-    switch (dice_below(d, 4)) {
+    switch (test_random_below(d, 4)) {
     case 0:
-        return ends[dice_below(d, sizeof ends / sizeof ends[0])];
+        return ends[test_random_below(d, sizeof ends / sizeof ends[0])];
     case 1:
         return any_bits(d);
     default:
-        return (float)dice_in(d, -4.0, 4.0);
+        return (float)test_random_uniform(d, -4.0, 4.0);
     }
 }
 
 /// In how many of so many rounds the two differ.
 static size_t differences(const float4_operation *one, const float4_operation *other, size_t rounds) {
-    dice d = {7};
+    test_random d = {7};
     size_t different = 0;
     for (size_t round = 0; round < rounds; ++round) {
         float a[4], b[4], x[4] = {0}, y[4] = {0};
         for (int i = 0; i < 4; ++i) {
             a[i] = any_float(&d);
-            b[i] = dice_below(&d, 6) == 0 ? a[i] : any_float(&d);
+            b[i] = test_random_below(&d, 6) == 0 ? a[i] : any_float(&d);
         }
-        const int32_t count = (int32_t)dice_below(&d, 9);
+        const int32_t count = (int32_t)test_random_below(&d, 9);
         one->run(a, b, count, x);
         other->run(a, b, count, y);
         different += !same(x[0], y[0]) || !same(x[1], y[1]) || !same(x[2], y[2]) || !same(x[3], y[3]);
@@ -121,24 +124,6 @@ TEST(near_misses_are_seen) {
     assert_int_equal(seen, sizeof wrong / sizeof wrong[0]);
 }
 
-enum { MOST = 8 };
-
-typedef struct arrays {
-    bmr_vec32 vertices[MOST], normals[MOST];
-} arrays;
-
-/// `strange`: of any floats.
-static bmr_polygon32 random_arrays(dice *d, arrays *memory, bool strange) {
-    for (int i = 0; i < MOST; ++i) {
-        const double turn = dice_in(d, 0.0, 6.3);
-        memory->vertices[i] =
-            (bmr_vec32){strange ? any_float(d) : (float)dice_in(d, -2.0, 2.0), (float)dice_in(d, -2.0, 2.0)};
-        memory->normals[i] = (bmr_vec32){(float)cos(turn), strange ? any_float(d) : (float)sin(turn)};
-    }
-    const bmr_polygon32 p = {memory->vertices, memory->normals, (int32_t)(1 + dice_below(d, MOST))};
-    return p;
-}
-
 /// Words that are the same bits, or no numbers.
 static bool same_words(const void *a, const void *b, size_t size) {
     const float *const x = a, *const y = b;
@@ -148,58 +133,277 @@ static bool same_words(const void *a, const void *b, size_t size) {
     return all;
 }
 
+// --- polygons of up to 8 vertices: loops, lanes and plain C are compared bit by bit ---
+
+enum { MOST = 8 };
+
+typedef struct arrays {
+    bmr_vec32 vertices[MOST], normals[MOST];
+} arrays;
+
+static test_random numbers = {0x9e3779b97f4a7c15u};
+
+static uint32_t random32(void) {
+    return (uint32_t)test_random_next(&numbers);
+}
+
+static int random_below(int count) {
+    return (int)test_random_below(&numbers, (uint32_t)count);
+}
+
+static float random_in(float low, float high) {
+    return low + (high - low) * ((float)random32() / 4294967296.0f);
+}
+
+static float from_bits(uint32_t bits) {
+    float f;
+    memcpy(&f, &bits, sizeof f);
+    return f;
+}
+
+static uint32_t bits_of(float f) {
+    uint32_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    return bits;
+}
+
+// The sign of a zero is the one bit that is not promised: separations are only ever compared, and a tie
+// between zeros of either sign is decided by the order of the vertices in one form and of the lanes in the
+// other.
+static bool same_bits(float a, float b) {
+    return bits_of(a) == bits_of(b) || (a == 0.0f && b == 0.0f);
+}
+
+typedef enum flavour { ORDINARY, GRID, HUGE_AND_TINY, ANYTHING, FLAVOURS } flavour;
+
+static float number(flavour kind) {
+    static const uint32_t special[] = {0x00000000u, 0x80000000u, 0x00000001u, 0x807fffffu, 0x00800000u,
+                                       0x7f7fffffu, 0xff7fffffu, 0x7f800000u, 0xff800000u, 0x7fc00000u,
+                                       0xffc00001u, 0x3f800000u, 0xbf800000u};
+    switch (kind) {
+    case ORDINARY:
+        return random_in(-5.0f, 5.0f);
+    case GRID: // equal separations, exact zeros of both signs
+        return 0.5f * (float)(random_below(5) - 2);
+    case HUGE_AND_TINY:
+        return random_in(-1.0f, 1.0f) * powf(10.0f, (float)(random_below(77) - 38));
+    default:
+        return random_below(3) == 0 ? from_bits(special[random_below(13)]) : from_bits(random32());
+    }
+}
+
+/// Signalling NaN: any arithmetic with it raises FE_INVALID.
+static const uint32_t trap_bits = 0x7fa00000u;
+
+static bmr_polygon32 random_arrays(arrays *memory, int count, flavour kind) {
+    uint32_t *raw = (uint32_t *)(void *)memory;
+    for (size_t i = 0; i < sizeof *memory / sizeof *raw; ++i)
+        raw[i] = trap_bits;
+    for (int i = 0; i < count; ++i) {
+        memory->vertices[i] = (bmr_vec32){number(kind), number(kind)};
+        memory->normals[i] = (bmr_vec32){number(kind), number(kind)};
+    }
+    return (bmr_polygon32){memory->vertices, memory->normals, count};
+}
+
+static bmr_transform32 random_frame(flavour kind) {
+    if (kind == GRID) {
+        const int quarter = random_below(4);
+        const float sines[] = {0.0f, 1.0f, 0.0f, -1.0f};
+        return (bmr_transform32){{number(kind), number(kind)}, sines[quarter], sines[(quarter + 1) % 4]};
+    }
+    if (kind == ANYTHING)
+        return (bmr_transform32){{number(kind), number(kind)}, number(kind), number(kind)};
+    const float angle = random_in(-3.2f, 3.2f);
+    return (bmr_transform32){{number(kind), number(kind)}, sinf(angle), cosf(angle)};
+}
+
 typedef float posed_form(const bmr_vec32 *, const bmr_vec32 *, const bmr_transform32 *, const bmr_vec32 *,
                          int32_t, const bmr_transform32 *);
+typedef float max_form(const bmr_polygon32 *, const bmr_polygon32 *, const bmr_transform32 *, int32_t *);
 
-static size_t compare_small(size_t rounds, posed_form *posed) {
-    dice d = {11};
-    arrays memory_a, memory_b;
-    size_t different = 0;
-    for (size_t round = 0; round < rounds; ++round) {
-        const bool strange = round % 3 == 0;
-        bmr_polygon32 a = random_arrays(&d, &memory_a, strange), b = random_arrays(&d, &memory_b, strange);
-        const bmr_transform32 pose_a = random_pose32(&d, 3.0), pose_b = random_pose32(&d, 3.0),
-                              frame = bmr_exact32_relative(&pose_b, &pose_a);
-        const int32_t edge = (int32_t)dice_below(&d, (uint32_t)a.count);
-        different += !same(posed(a.vertices + edge, a.normals + edge, &pose_a, b.vertices, b.count, &pose_b),
-                           test_plain_exact32_posed_separation(a.vertices + edge, a.normals + edge, &pose_a,
-                                                               b.vertices, b.count, &pose_b));
-        int32_t found = -1, plain_found = -1;
-        different += !same(bmr_exact32_max_separation(&a, &b, &frame, &found),
-                           test_plain_exact32_max_separation(&a, &b, &frame, &plain_found));
-        different += found != plain_found;
-        if (a.count < 3 || b.count < 3)
-            continue;
-        bmr_manifold32 manifold, plain;
-        memset(&manifold, 0x5a, sizeof manifold);
-        memset(&plain, 0x5a, sizeof plain);
-        const float radius = (float)dice_in(&d, 0.0, 2.0);
-        different += bmr_exact32_collide(&manifold, &a, &pose_a, &b, &pose_b, radius, 0.0005f) !=
-                     test_plain_exact32_collide(&plain, &a, &pose_a, &b, &pose_b, radius, 0.0005f);
-        different += !same_words(&manifold, &plain, sizeof plain);
+typedef struct tally {
+    size_t edges, edges_different, maxima, maxima_different, plain_different;
+} tally;
+
+/// The first of the largest, or the last.
+static float largest(const bmr_polygon32 *reference, const bmr_polygon32 *other, const bmr_transform32 *frame,
+                     bool last, int32_t *edge) {
+    float best = -FLT_MAX;
+    *edge = 0;
+    for (int32_t i = 0; i < reference->count; ++i) {
+        const float s = bmr_exact32_edge_separation(reference, i, other, frame);
+        if (s > best || (last && s == best)) {
+            best = s;
+            *edge = i;
+        }
     }
-    return different;
+    return best;
 }
 
-/// The largest in place of the least: the control.
-static float as_seen_from_behind(const bmr_vec32 *vertex, const bmr_vec32 *normal,
-                                 const bmr_transform32 *reference, const bmr_vec32 *points, int32_t count,
-                                 const bmr_transform32 *other) {
-    const bmr_vec32 back = {-normal->x, -normal->y};
-    return -bmr_exact32_posed_separation(vertex, &back, reference, points, count, other);
+/// In how many answers lanes and plain C differ, in any bit.
+static size_t compare_with_plain(const bmr_polygon32 *a, const bmr_transform32 *at_a, const bmr_polygon32 *b,
+                                 const bmr_transform32 *at_b) {
+    const bmr_transform32 frame = bmr_exact32_relative(at_b, at_a);
+    size_t different = 0;
+    for (int32_t e = 0; e < a->count; ++e)
+        different += !same(
+            bmr_exact32_posed_separation(a->vertices + e, a->normals + e, at_a, b->vertices, b->count, at_b),
+            test_plain_exact32_posed_separation(a->vertices + e, a->normals + e, at_a, b->vertices, b->count,
+                                                at_b));
+    int32_t found = -1, plain_found = -1;
+    different += !same(bmr_exact32_max_separation(a, b, &frame, &found),
+                       test_plain_exact32_max_separation(a, b, &frame, &plain_found));
+    different += found != plain_found;
+    if (a->count < 3 || b->count < 3)
+        return different;
+    bmr_manifold32 manifold, plain;
+    memset(&manifold, 0x5a, sizeof manifold);
+    memset(&plain, 0x5a, sizeof plain);
+    const float radius = random_in(0.0f, 2.0f);
+    different += bmr_exact32_collide(&manifold, a, at_a, b, at_b, radius, 0.0005f) !=
+                 test_plain_exact32_collide(&plain, a, at_a, b, at_b, radius, 0.0005f);
+    return different + !same_words(&manifold, &plain, sizeof plain);
 }
 
-TEST(small_polygons_have_the_bits_of_plain_c) {
-    assert_int_equal(compare_small(test_scaled(400000), bmr_exact32_posed_separation), 0);
-    assert_true(compare_small(1000, as_seen_from_behind) > 100);
+static void compare_forms(tally *t, size_t rounds, flavour kind, posed_form *posed, max_form *max) {
+    arrays memory_a, memory_b;
+    for (size_t round = 0; round < rounds; ++round) {
+        const bmr_polygon32 a = random_arrays(&memory_a, 1 + random_below(MOST), kind);
+        const bmr_polygon32 b = random_arrays(&memory_b, 1 + random_below(MOST), kind);
+        const bmr_transform32 at_a = random_frame(kind), at_b = random_frame(kind),
+                              frame = bmr_exact32_relative(&at_b, &at_a);
+        for (int32_t e = 0; e < a.count; ++e, ++t->edges)
+            t->edges_different +=
+                !same_bits(posed(a.vertices + e, a.normals + e, &at_a, b.vertices, b.count, &at_b),
+                           bmr_exact32_edge_separation(&a, e, &b, &frame));
+        int32_t found = -1, expected = -1;
+        const float value = max(&a, &b, &frame, &found);
+        const float wanted = largest(&a, &b, &frame, false, &expected);
+        t->maxima_different += !same_bits(value, wanted) || found != expected;
+        ++t->maxima;
+        t->plain_different += compare_with_plain(&a, &at_a, &b, &at_b);
+    }
 }
+
+TEST(both_forms_give_the_same_bits) {
+    for (flavour kind = ORDINARY; kind < FLAVOURS; ++kind) {
+        tally t = {0};
+        compare_forms(&t, test_scaled(300000), kind, bmr_exact32_posed_separation,
+                      bmr_exact32_max_separation);
+        assert_int_equal(t.edges_different, 0);
+        assert_int_equal(t.maxima_different, 0);
+        assert_int_equal(t.plain_different, 0);
+    }
+}
+
+/// Mathematically the same, regrouped: <n, w> - <n, v> instead of <n, w - v>.
+static float regrouped_edge(const bmr_vec32 *vertex, const bmr_vec32 *normal,
+                            const bmr_transform32 *reference, const bmr_vec32 *points, int32_t count,
+                            const bmr_transform32 *other) {
+    const bmr_transform32 f = bmr_exact32_relative(other, reference);
+    const bmr_vec32 m = *normal, w = *vertex;
+    const bmr_vec32 n = {f.c * m.x - f.s * m.y, f.s * m.x + f.c * m.y};
+    const bmr_vec32 v = {(f.c * w.x - f.s * w.y) + f.p.x, (f.s * w.x + f.c * w.y) + f.p.y};
+    float least = FLT_MAX;
+    for (int32_t j = 0; j < count; ++j) {
+        const float s = (n.x * points[j].x + n.y * points[j].y) - (n.x * v.x + n.y * v.y);
+        least = s < least ? s : least;
+    }
+    return least;
+}
+
+/// The last of equal maxima instead of the first.
+static float last_of_equals(const bmr_polygon32 *reference, const bmr_polygon32 *other,
+                            const bmr_transform32 *frame, int32_t *edge) {
+    return largest(reference, other, frame, true, edge);
+}
+
+TEST(control_other_roundings_and_other_ties_are_told_apart) {
+    tally regrouped = {0}, ties = {0};
+    compare_forms(&regrouped, 10000, ORDINARY, regrouped_edge, bmr_exact32_max_separation);
+    assert_true(regrouped.edges_different > regrouped.edges / 4);
+    assert_int_equal(regrouped.maxima_different, 0);
+    compare_forms(&ties, 10000, GRID, bmr_exact32_posed_separation, last_of_equals);
+    assert_true(ties.maxima_different > ties.maxima / 100);
+    assert_int_equal(ties.edges_different, 0);
+}
+
+TEST(nothing_past_count_is_computed_with) {
+    arrays memory_a, memory_b;
+    size_t raised = 0;
+    for (size_t round = 0; round < test_scaled(100000); ++round) {
+        const bmr_polygon32 a = random_arrays(&memory_a, 1 + random_below(MOST), ORDINARY);
+        const bmr_polygon32 b = random_arrays(&memory_b, 1 + random_below(MOST), ORDINARY);
+        const bmr_transform32 frame = random_frame(ORDINARY);
+        int32_t edge;
+        feclearexcept(FE_ALL_EXCEPT);
+        volatile float sink = bmr_exact32_max_separation(&a, &b, &frame, &edge);
+        sink = bmr_exact32_edge_separation(&a, a.count - 1, &b, &frame);
+        sink = bmr_exact32_posed_separation(a.vertices, a.normals, &frame, b.vertices, b.count, &frame);
+        (void)sink;
+        raised += fetestexcept(FE_INVALID) != 0;
+    }
+    assert_int_equal(raised, 0);
+
+    // Control: one vertex more than there are, and the trap springs.
+    bmr_polygon32 a = random_arrays(&memory_a, 3, ORDINARY);
+    const bmr_polygon32 b = random_arrays(&memory_b, 3, ORDINARY);
+    const bmr_transform32 frame = random_frame(ORDINARY);
+    a.count = 4;
+    feclearexcept(FE_ALL_EXCEPT);
+    volatile float sink = bmr_exact32_edge_separation(&a, 3, &b, &frame);
+    (void)sink;
+    assert_true(fetestexcept(FE_INVALID) != 0);
+}
+
+TEST(the_first_of_equal_edges_wins) {
+    // A square against a point at its centre: all four edges at the same distance; then against one that is
+    // equally far beyond two of them.
+    const bmr_vec32 corners[MOST] = {{1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+    const bmr_vec32 normals[MOST] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    const bmr_polygon32 square = {corners, normals, 4};
+    const struct {
+        bmr_vec32 point;
+        int32_t edge;
+        float separation;
+    } cases[] = {{{0, 0}, 0, -1}, {{3, 3}, 0, 2}, {{-3, 3}, 1, 2}, {{-3, -3}, 2, 2}, {{0, -3}, 3, 2}};
+    const bmr_transform32 still = {{0, 0}, 0, 1};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        const bmr_vec32 point[MOST] = {cases[i].point}, none[MOST] = {{0, 0}};
+        const bmr_polygon32 other = {point, none, 1};
+        int32_t edge = -1;
+        const float separation = bmr_exact32_max_separation(&square, &other, &still, &edge);
+        assert_int_equal(edge, cases[i].edge);
+        assert_true(separation == cases[i].separation);
+    }
+}
+
+TEST(nan_never_enters_a_minimum) {
+    const bmr_vec32 corners[MOST] = {{1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+    const bmr_vec32 normals[MOST] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    const bmr_polygon32 square = {corners, normals, 4};
+    const bmr_transform32 still = {{0, 0}, 0, 1};
+    bmr_vec32 points[MOST] = {{5, 0}, {NAN, 0}, {4, NAN}, {7, 0}, {NAN, NAN}, {6, 0}, {9, 0}, {8, 0}};
+    const bmr_polygon32 other = {points, normals, MOST};
+    assert_true(bmr_exact32_edge_separation(&square, 0, &other, &still) == 4.0f);
+    for (int i = 0; i < MOST; ++i)
+        points[i].x = NAN;
+    assert_true(bmr_exact32_edge_separation(&square, 0, &other, &still) == FLT_MAX);
+    int32_t edge = -1;
+    assert_true(bmr_exact32_max_separation(&square, &other, &still, &edge) == FLT_MAX);
+    assert_int_equal(edge, 0);
+}
+
+// --- polygons of any size ---
 
 static size_t compare_big(size_t rounds, float reach_factor) {
-    dice d = {13};
+    test_random d = {13};
     size_t different = 0, apart = 0, touching = 0;
     for (size_t round = 0; round < rounds; ++round) {
-        bmr_convex32_block *const a = random_convex32(&d, random_kind(&d), 3 + dice_below(&d, 60)),
-                                  *const b = random_convex32(&d, random_kind(&d), 3 + dice_below(&d, 60));
+        bmr_convex32_block *const a = random_convex32(&d, random_kind(&d), 3 + test_random_below(&d, 60)),
+                                  *const b =
+                                      random_convex32(&d, random_kind(&d), 3 + test_random_below(&d, 60));
         const bmr_transform32 pose_a = random_pose32(&d, 20.0);
         bmr_convex32_memory memory = {0, 0, 0, 0}, plain_memory = memory;
         bmr_transform32 pose_b = pose_against(&d, &a->polygon, &pose_a, &b->polygon, 0.02);

@@ -2,19 +2,13 @@
 #include "boomerang/hierarchy.h"
 #include "boomerang/inflated.h"
 #include "checks.h"
-#include "compass_fixture.h"
 #include "failing_allocator.h"
 #include "geometry/distance.h"
 #include "hierarchies.h"
 #include "hierarchy/tree.h"
 
-static bmr_error build(bmr_hierarchy_kind kind, const bmr_polygon *p, const bmr_allocator *allocator,
-                       bmr_hierarchy **h) {
-    return bmr_hierarchy_build(kind, p, compass, allocator, h);
-}
-
 static bmr_hierarchy *built_soundly(bmr_hierarchy_kind kind, const bmr_polygon *p) {
-    bmr_hierarchy *h = built((int)kind, p);
+    bmr_hierarchy *h = test_hierarchy(kind, p);
     assert_int_equal(bmr_hierarchy_get_kind(h), kind);
     assert_ptr_equal(bmr_hierarchy_polygon(h), p);
     assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
@@ -28,7 +22,8 @@ TEST(a_hierarchy_is_one_block_of_the_bytes_announced_and_none_is_none) {
     test_heap_init(&heap, SIZE_MAX);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         bmr_hierarchy *h = NULL;
-        assert_int_equal(build((bmr_hierarchy_kind)kind, p, &heap.allocator, &h), BMR_OK);
+        assert_int_equal(
+            bmr_hierarchy_build((bmr_hierarchy_kind)kind, p, test_compass(), &heap.allocator, &h), BMR_OK);
         assert_int_equal(heap.blocks, 1); // scratch is given back
         assert_int_equal(heap.bytes, bmr_hierarchy_bytes(h));
         bmr_hierarchy_destroy(h, &heap.allocator);
@@ -73,7 +68,8 @@ TEST(a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_original)
                 own_polygon *q = NULL;
                 assert_int_equal(bmr_polygon_copy(p, NULL, &q), BMR_OK);
                 bmr_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p), *again = NULL;
-                assert_int_equal(build((bmr_hierarchy_kind)kind, q, NULL, &again), BMR_OK);
+                assert_int_equal(
+                    bmr_hierarchy_build((bmr_hierarchy_kind)kind, q, test_compass(), NULL, &again), BMR_OK);
                 test_heap heap;
                 test_heap_init(&heap, SIZE_MAX);
                 bmr_hierarchy *copy = NULL;
@@ -101,7 +97,8 @@ TEST(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex) {
             own_polygon *p = test_polygon((test_family)family, sizes[i], &random);
             for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT && p->count >= 64; ++kind) {
                 own_hierarchy *h = NULL;
-                assert_int_equal(build((bmr_hierarchy_kind)kind, p, NULL, &h), BMR_OK);
+                assert_int_equal(bmr_hierarchy_build((bmr_hierarchy_kind)kind, p, test_compass(), NULL, &h),
+                                 BMR_OK);
                 const size_t bytes = bmr_hierarchy_bytes(h) + bmr_polygon_bytes(p->count);
                 // What the layout promises: 16 bytes a node, 5 n, 2 n + 4 and n + 4 of them at most, and a
                 // normal for each of Dudley's.
@@ -118,7 +115,7 @@ TEST(polygons_of_65535_vertices_pass_the_audit) {
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         own_polygon *p = test_polygon(families[(size_t)kind % COUNT_OF(families)], 65535, &random);
         assert_true(p->count > 60000);
-        own_hierarchy *h = built(kind, p);
+        own_hierarchy *h = test_hierarchy((bmr_hierarchy_kind)kind, p);
         assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
         assert_true(bmr_hierarchy_bytes(h) + bmr_polygon_bytes(p->count) <= 160 * (size_t)p->count);
     }
@@ -284,7 +281,7 @@ TEST(audit_refuses_a_hierarchy_of_another_polygon) {
 TEST(offsets_shrink_by_the_ratio_and_levels_end_at_the_depth) {
     test_random random = {5};
     own_polygon *p = test_polygon(TEST_CIRCLE, 64, &random);
-    own_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
+    own_hierarchy *h = test_hierarchy(BMR_HIERARCHY_COMPASS, p);
     const uint32_t depth = bmr_hierarchy_depth(h);
     const bmr_inflation plain = bmr_inflation_make(8.0, 0.5, 0.5, 0);
     const bmr_inflation rich = bmr_inflation_make(8.0, 0.25, 0.8, 2);
@@ -309,7 +306,7 @@ TEST(compass_offsets_cover_the_heights) {
         for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
             for (size_t n = 4; n <= 256; n *= 4) {
                 own_polygon *p = test_polygon((test_family)family, n, &random);
-                own_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
+                own_hierarchy *h = test_hierarchy(BMR_HIERARCHY_COMPASS, p);
                 const double diameter = bmr_inflation_diameter(p);
                 assert_true(diameter >= test_diameter(p) * (1.0 - 1e-12));
                 assert_true(diameter <= test_diameter(p) * 1.1548);

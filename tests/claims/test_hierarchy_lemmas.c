@@ -3,7 +3,6 @@
 // function that says yes or no, and every test hands it something wrong as well.
 #include "boomerang/hierarchy.h"
 #include "checks.h"
-#include "compass_fixture.h"
 #include "hierarchies.h"
 #include "motions.h"
 #include "owned.h"
@@ -103,10 +102,8 @@ static void visit_bounds(const bmr_hierarchy *h, test_family family, test_random
 /// Lemma 3.4(a): a Dudley boomerang of level i is O(D/4^i) high.
 TEST(heights_depths_and_sizes_keep_the_constants_of_the_lemmas) {
     bounds b = {0};
-    assert_true(test_visit_hierarchies(compass, all_sizes, COUNT_OF(all_sizes) - 1, test_scaled(3), 113,
-                                       visit_bounds, &b));
-    assert_true(
-        test_visit_hierarchies(compass, all_sizes + COUNT_OF(all_sizes) - 1, 1, 1, 115, visit_bounds, &b));
+    test_visit_hierarchies(all_sizes, COUNT_OF(all_sizes) - 1, test_scaled(3), 113, visit_bounds, &b);
+    test_visit_hierarchies(all_sizes + COUNT_OF(all_sizes) - 1, 1, 1, 115, visit_bounds, &b);
     assert_true(b.compass_failed_by_dk > 0 && b.dudley_failed_by_dk > 0);
     assert_true(b.few_tall_failed > 0 && b.small_failed > 0);
 }
@@ -128,7 +125,7 @@ TEST(the_compass_lemma_fails_in_the_median_tail_and_holds_with_the_capped_level)
     points[TINY + 2] = bmr_vec2_make(-0.4, 0.2);
     own_polygon *p = made_polygon(points, N);
     assert_int_equal(p->count, N);
-    own_hierarchy *h = built(BMR_HIERARCHY_COMPASS, p);
+    own_hierarchy *h = test_hierarchy(BMR_HIERARCHY_COMPASS, p);
     assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
     const double diameter = test_diameter(p);
     assert_true(tallest(h, diameter, 2.0, UINT32_MAX) > 18.0); // the lemma as printed
@@ -217,7 +214,7 @@ static void visit_pair(const bmr_hierarchy *h, test_family family, test_random *
     const test_family other = (test_family)test_random_below(random, TEST_FAMILY_COUNT);
     const bmr_polygon *p = bmr_hierarchy_polygon(h);
     own_polygon *q = test_polygon(other, 3 + test_random_below(random, 300), random);
-    own_hierarchy *of_q = built(kind, q);
+    own_hierarchy *of_q = test_hierarchy((bmr_hierarchy_kind)kind, q);
     const bmr_hierarchy *pair[2] = {h, of_q};
     const double scale = 2.0 * fmax(p->radius, q->radius);
     for (int k = 1; k <= 20; ++k) {
@@ -255,8 +252,7 @@ static void visit_pair(const bmr_hierarchy *h, test_family family, test_random *
 /// Lemma 3.4(d): at distance s, Dudley envelopes of O(log(D/s)) edges are disjoint.
 TEST(polygons_at_distance_s_have_disjoint_approximations_of_few_edges) {
     approximations a = {0};
-    assert_true(
-        test_visit_hierarchies(compass, all_sizes, COUNT_OF(all_sizes), test_scaled(3), 117, visit_pair, &a));
+    test_visit_hierarchies(all_sizes, COUNT_OF(all_sizes), test_scaled(3), 117, visit_pair, &a);
     printf("%zu pairs, Dobkin and Kirkpatrick's exceed the bound in %zu, coarser ones meet in %zu\n", a.tried,
            a.dk_failed, a.coarse_met);
     assert_true(a.tried > 1000 || test_scaled(3) < 3);
@@ -317,7 +313,7 @@ static void visit(const bmr_hierarchy *h, test_family family, test_random *rando
 TEST(few_boomerangs_of_a_hierarchy_are_tall) {
     static const size_t sizes[] = {4, 13, 64, 257, 1000, 4096};
     counts c = {0};
-    assert_true(test_visit_hierarchies(compass, sizes, COUNT_OF(sizes), test_scaled(2), 131, visit, &c));
+    test_visit_hierarchies(sizes, COUNT_OF(sizes), test_scaled(2), 131, visit, &c);
     printf("compass %.2f sqrt(D/s) (log2(D/s) + 1), Dudley %.2f sqrt(D/s)\n", c.compass, c.dudley);
     assert_true(c.tried[0] > 0 && c.tried[1] > 0);
     assert_true(c.compass <= MOST_COMPASS);

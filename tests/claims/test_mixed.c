@@ -4,7 +4,6 @@
 // full turn, and how many of its cells are tall or lie on a line. (That they tile, and which holds a point:
 // tests/random/fuzz_hierarchy.cpp.)
 #include "checks.h"
-#include "compass_fixture.h"
 #include "failing_allocator.h"
 #include "hierarchies.h"
 #include "hierarchy/mixed.h"
@@ -26,7 +25,7 @@ typedef struct scene {
 static scene scene_of(bmr_polygon *a, bmr_polygon *b, bmr_hierarchy_kind kind, double angle, double offset) {
     scene s = {.polygons = {a, b}, .angle = angle};
     for (int i = 0; i < 2; ++i)
-        s.hierarchies[i] = built((int)kind, s.polygons[i]);
+        s.hierarchies[i] = test_hierarchy(kind, s.polygons[i]);
     s.mixed = bmr_mixed_make(s.hierarchies[0], s.hierarchies[1], cos(angle), sin(angle), offset);
     assert_int_equal(bmr_mixed_tiling_create(&s.mixed, NULL, &s.tiling), BMR_OK);
     return s;

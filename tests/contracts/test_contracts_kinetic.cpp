@@ -363,8 +363,8 @@ bmr_body BodyOf(Asked &ask) {
                              {BMR_NO_BODY, BMR_ERROR_OUT_OF_RANGE}});
 }
 
-/// A world of three bodies, of which one jumps, with memory that fails: each call that does changes nothing,
-/// and can be made once there is some.
+/// A world of three bodies, of which one jumps, and of some that come and go, with memory that fails: each
+/// call that does changes nothing, and can be made once there is some.
 std::string LiveInTightWorld(Asked &ask) {
     bmr_world *world = nullptr;
     bmr_error answer = OpenWorld(ask.Allocator(), &world);
@@ -387,6 +387,20 @@ std::string LiveInTightWorld(Asked &ask) {
                 [&] { return body == 77 && bmr_world_body_count(world) == count; });
         ++count;
     }
+    for (int i = 0; i < 9; ++i) {
+        const bmr_motion_piece aside = bmr_piece_rest({{25.0, 6.0 * i - 24.0}, 1, 0});
+        bmr_motion *rests = nullptr;
+        bmr_motion_create(&aside, nullptr, &rests);
+        const bmr_body_def def = bmr_default_body_def(&shape, rests);
+        bmr_body body = 77;
+        attempt([&] { return bmr_world_add(world, &def, &body); },
+                [&] { return body == 77 && bmr_world_body_count(world) == count; });
+        bmr_motion_destroy(rests);
+        ++count;
+    }
+    for (; count > 5; --count)
+        attempt([&] { return bmr_world_remove(world, count - 1); },
+                [&] { return bmr_world_body_count(world) == count; });
     // A motion that jumps at once, and again later.
     const bmr_motion_piece there = bmr_piece_rest({{20, 0}, 1, 0}), back = bmr_piece_rest({{-20, 0}, 1, 0});
     bmr_motion *plan = nullptr;

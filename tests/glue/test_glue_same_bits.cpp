@@ -187,10 +187,10 @@ struct Freed {
 
 /// A polygon of at most 8 vertices, Box2D's and ours with the same arrays.
 struct Small {
-    explicit Small(dice *d) {
+    explicit Small(test_random *d) {
         for (;;) {
             const std::unique_ptr<bmr_convex32_block, Freed> block(
-                random_convex32(d, random_kind(d), 3 + dice_below(d, 6)));
+                random_convex32(d, random_kind(d), 3 + test_random_below(d, 6)));
             if (block->polygon.count > b2_maxPolygonVertices)
                 continue;
             // Set would weld and assert on some of these; its arrays are what counts.
@@ -250,15 +250,16 @@ struct Compared {
 };
 
 template <typename Pose> void ForPolygons(uint64_t seed, size_t poses, Pose pose) {
-    dice d = {seed};
+    test_random d = {seed};
     for (size_t n = 0; n < poses; ++n)
         pose(&d);
 }
 
-bmr_convex32_memory Anything(dice *d) {
-    return {static_cast<uint16_t>(dice_roll(d)), static_cast<uint16_t>(dice_roll(d)),
-            static_cast<int16_t>(dice_below(d, 65535) - 32767),
-            static_cast<int16_t>(dice_below(d, 65535) - 32767)};
+bmr_convex32_memory Anything(test_random *d) {
+    return {static_cast<uint16_t>((uint32_t)test_random_next(d)),
+            static_cast<uint16_t>((uint32_t)test_random_next(d)),
+            static_cast<int16_t>(test_random_below(d, 65535) - 32767),
+            static_cast<int16_t>(test_random_below(d, 65535) - 32767)};
 }
 
 b2Manifold Blank() {
@@ -272,7 +273,7 @@ b2Manifold Blank() {
 TEST_CASE("polygons of at most 8 vertices touch each other as in Box2D") {
     const size_t poses = test_scaled(100000);
     Compared compared;
-    ForPolygons(0x5eed5, poses, [&](dice *d) {
+    ForPolygons(0x5eed5, poses, [&](test_random *d) {
         const Small a(d), b(d);
         const bmr_transform32 poseA = random_pose32(d, 10.0);
         const float skin = a.box2d.m_radius + b.box2d.m_radius;
@@ -291,13 +292,13 @@ TEST_CASE("polygons of at most 8 vertices touch each other as in Box2D") {
 TEST_CASE("polygons of at most 8 vertices touch circles as in Box2D") {
     const size_t poses = test_scaled(100000);
     Compared compared;
-    ForPolygons(0x5eed6, poses, [&](dice *d) {
+    ForPolygons(0x5eed6, poses, [&](test_random *d) {
         const Small polygon(d);
         const bmr_transform32 pose = random_pose32(d, 10.0);
         b2CircleShape circle;
-        circle.m_radius = static_cast<float>(dice_in(d, 0.0, 0.5));
-        circle.m_p =
-            b2Vec2(static_cast<float>(dice_in(d, -0.5, 0.5)), static_cast<float>(dice_in(d, -0.5, 0.5)));
+        circle.m_radius = static_cast<float>(test_random_uniform(d, 0.0, 0.5));
+        circle.m_p = b2Vec2(static_cast<float>(test_random_uniform(d, -0.5, 0.5)),
+                            static_cast<float>(test_random_uniform(d, -0.5, 0.5)));
         const bmr_vec32 centre = {circle.m_p.x, circle.m_p.y};
         const bmr_convex32 point = {&centre, &centre, nullptr, 1, 0, {0.0f, 0.0f}, nullptr};
         const float skin = polygon.box2d.m_radius + circle.m_radius;
@@ -316,17 +317,17 @@ TEST_CASE("polygons of at most 8 vertices touch circles as in Box2D") {
 TEST_CASE("polygons of at most 8 vertices touch edges as in Box2D") {
     const size_t poses = test_scaled(100000);
     Compared compared;
-    ForPolygons(0x5eed7, poses, [&](dice *d) {
+    ForPolygons(0x5eed7, poses, [&](test_random *d) {
         const Small polygon(d);
         const bmr_transform32 pose = random_pose32(d, 10.0);
         b2EdgeShape edge;
         const auto near = [d](const b2Vec2 &v) {
-            return v + b2Vec2(static_cast<float>(dice_in(d, -2.0, 2.0)),
-                              static_cast<float>(dice_in(d, -2.0, 2.0)));
+            return v + b2Vec2(static_cast<float>(test_random_uniform(d, -2.0, 2.0)),
+                              static_cast<float>(test_random_uniform(d, -2.0, 2.0)));
         };
         const b2Vec2 first = near(b2Vec2_zero), second = near(first), before = near(first),
                      after = near(second);
-        if (dice_below(d, 2) == 0)
+        if (test_random_below(d, 2) == 0)
             edge.SetOneSided(before, first, second, after);
         else
             edge.SetTwoSided(first, second);

@@ -6,23 +6,8 @@
 
 static const double turn = 6.283185307179586;
 
-uint32_t dice_roll(dice *d) {
-    d->state ^= d->state << 13;
-    d->state ^= d->state >> 7;
-    d->state ^= d->state << 17;
-    return (uint32_t)(d->state >> 32);
-}
-
-uint32_t dice_below(dice *d, uint32_t count) {
-    return dice_roll(d) % count;
-}
-
-double dice_in(dice *d, double low, double high) {
-    return low + (high - low) * ((double)dice_roll(d) / 4294967296.0);
-}
-
-convex32_kind random_kind(dice *d) {
-    return (convex32_kind)dice_below(d, KINDS);
+convex32_kind random_kind(test_random *d) {
+    return (convex32_kind)test_random_below(d, KINDS);
 }
 
 static bmr_vec32 at_angle(double angle, double width, double height) {
@@ -37,17 +22,17 @@ static bmr_vec32 on_rounded(double angle, double corner) {
     return v;
 }
 
-static bmr_vec32 nth_point(dice *d, convex32_kind kind, uint32_t i, uint32_t count, double shape) {
+static bmr_vec32 nth_point(test_random *d, convex32_kind kind, uint32_t i, uint32_t count, double shape) {
     const double share = (double)i / (double)count;
     switch (kind) {
     case KIND_ELLIPSE:
         return at_angle(turn * share, 1.0, pow(10.0, -3.0 * shape));
     case KIND_RANDOM:
-        return at_angle(dice_in(d, 0.0, turn), 1.0, 1.0);
+        return at_angle(test_random_uniform(d, 0.0, turn), 1.0, 1.0);
     case KIND_CLUSTERED:
         return i < 3 ? at_angle(turn * (double)i / 3.0 + shape, 1.0, 1.0)
                      : at_angle(turn * (double)(i % 3) / 3.0 + shape +
-                                    dice_in(d, 0.0, pow(10.0, -1.0 - 2.0 * shape)),
+                                    test_random_uniform(d, 0.0, pow(10.0, -1.0 - 2.0 * shape)),
                                 1.0, 1.0);
     case KIND_ROUNDED:
         return on_rounded(turn * (share + 0.5 / (double)count), 0.05 + 0.5 * shape);
@@ -59,23 +44,25 @@ static bmr_vec32 nth_point(dice *d, convex32_kind kind, uint32_t i, uint32_t cou
         return v;
     }
     case KIND_TRIANGLE:
-        return at_angle(dice_in(d, 0.0, turn), 1.0, 1.0);
+        return at_angle(test_random_uniform(d, 0.0, turn), 1.0, 1.0);
     case KIND_REGULAR:
     default:
         return at_angle(turn * share, 1.0, 1.0);
     }
 }
 
-bmr_convex32_block *random_convex32(dice *d, convex32_kind kind, uint32_t count) {
+bmr_convex32_block *random_convex32(test_random *d, convex32_kind kind, uint32_t count) {
     if (kind == KIND_BOX || kind == KIND_TRIANGLE)
         count = kind == KIND_BOX ? 4 : 3;
     bmr_vec32 *const points = malloc(count * sizeof *points);
     bmr_convex32_block *block = NULL;
     while (points && !block) {
-        const double shape = dice_in(d, 0.0, 1.0), size = pow(10.0, dice_in(d, -1.3, 0.7));
-        const double offset = dice_below(d, 3) == 0 ? size : 0.0, angle = dice_in(d, 0.0, turn);
-        const double x = dice_in(d, -offset, offset), y = dice_in(d, -offset, offset);
-        const bool turned = dice_below(d, 2) == 0;
+        const double shape = test_random_uniform(d, 0.0, 1.0),
+                     size = pow(10.0, test_random_uniform(d, -1.3, 0.7));
+        const double offset = test_random_below(d, 3) == 0 ? size : 0.0,
+                     angle = test_random_uniform(d, 0.0, turn);
+        const double x = test_random_uniform(d, -offset, offset), y = test_random_uniform(d, -offset, offset);
+        const bool turned = test_random_below(d, 2) == 0;
         for (uint32_t i = 0; i < count; ++i) {
             const bmr_vec32 p = nth_point(d, kind, i, count, shape);
             const double c = turned ? cos(angle) : 1.0, s = turned ? sin(angle) : 0.0;
@@ -96,9 +83,10 @@ static bmr_transform32 pose_of(double x, double y, double angle) {
     return pose;
 }
 
-bmr_transform32 random_pose32(dice *d, double range) {
-    const double angle = dice_below(d, 4) == 0 ? 0.25 * turn * dice_below(d, 4) : dice_in(d, -4.0, 4.0);
-    return pose_of(dice_in(d, -range, range), dice_in(d, -range, range), angle);
+bmr_transform32 random_pose32(test_random *d, double range) {
+    const double angle = test_random_below(d, 4) == 0 ? 0.25 * turn * test_random_below(d, 4)
+                                                      : test_random_uniform(d, -4.0, 4.0);
+    return pose_of(test_random_uniform(d, -range, range), test_random_uniform(d, -range, range), angle);
 }
 
 typedef struct point {
@@ -129,20 +117,21 @@ static point edge_middle(const bmr_convex32 *p, const bmr_transform32 *pose, uin
     return r;
 }
 
-bmr_transform32 pose_against(dice *d, const bmr_convex32 *a, const bmr_transform32 *pose_a,
+bmr_transform32 pose_against(test_random *d, const bmr_convex32 *a, const bmr_transform32 *pose_a,
                              const bmr_convex32 *b, double skin) {
-    const uint32_t how = dice_below(d, 8), edge_a = dice_below(d, a->count), edge_b = dice_below(d, b->count);
+    const uint32_t how = test_random_below(d, 8), edge_a = test_random_below(d, a->count),
+                   edge_b = test_random_below(d, b->count);
     bmr_transform32 pose = random_pose32(d, 0.0);
     if (how == 0) // the same way round, or by some part of a turn that shapes like these repeat after
         pose = pose_of(0.0, 0.0,
                        atan2((double)pose_a->s, (double)pose_a->c) +
-                           turn * (double)dice_below(d, b->count) / (double)b->count);
+                           turn * (double)test_random_below(d, b->count) / (double)b->count);
     if (how <= 1) { // concentric, more or less
-        const double off = dice_below(d, 2) == 0 ? 0.0 : pow(10.0, dice_in(d, -6.0, 0.0));
+        const double off = test_random_below(d, 2) == 0 ? 0.0 : pow(10.0, test_random_uniform(d, -6.0, 0.0));
         const point m = edge_middle(a, pose_a, 0, 0.0), n = edge_middle(a, pose_a, a->count / 2, 0.0);
         const point o = edge_middle(b, &pose, 0, 0.0), p = edge_middle(b, &pose, b->count / 2, 0.0);
-        pose.p.x += (float)(0.5 * (m.x + n.x - o.x - p.x) + dice_in(d, -off, off));
-        pose.p.y += (float)(0.5 * (m.y + n.y - o.y - p.y) + dice_in(d, -off, off));
+        pose.p.x += (float)(0.5 * (m.x + n.x - o.x - p.x) + test_random_uniform(d, -off, off));
+        pose.p.y += (float)(0.5 * (m.y + n.y - o.y - p.y) + test_random_uniform(d, -off, off));
         return pose;
     }
     const bmr_vec32 normal_a = a->normals[edge_a], normal_b = b->normals[edge_b];
@@ -150,30 +139,32 @@ bmr_transform32 pose_against(dice *d, const bmr_convex32 *a, const bmr_transform
     u.x -= (double)pose_a->p.x;
     u.y -= (double)pose_a->p.y;
     if (how <= 4) { // face to face; nearly so; vertices at random
-        const double tilt = how == 2 ? 0.0 : how == 3 ? dice_in(d, -1e-3, 1e-3) : dice_in(d, -3.0, 3.0);
+        const double tilt = how == 2   ? 0.0
+                            : how == 3 ? test_random_uniform(d, -1e-3, 1e-3)
+                                       : test_random_uniform(d, -3.0, 3.0);
         pose = pose_of(0.0, 0.0, atan2(-u.y, -u.x) - atan2((double)normal_b.y, (double)normal_b.x) + tilt);
     } else if (how <= 6) { // any direction
-        const double angle = dice_in(d, 0.0, turn);
+        const double angle = test_random_uniform(d, 0.0, turn);
         u.x = cos(angle);
         u.y = sin(angle);
     } // else: along a face of a's, b as it is
     const point back = {-u.x, -u.y};
-    const double gap = dice_below(d, 4) == 0   ? dice_in(d, -30.0, 30.0) * skin
-                       : dice_below(d, 8) == 0 ? 0.0
-                                               : dice_in(d, -1.5, 2.5) * skin;
+    const double gap = test_random_below(d, 4) == 0   ? test_random_uniform(d, -30.0, 30.0) * skin
+                       : test_random_below(d, 8) == 0 ? 0.0
+                                                      : test_random_uniform(d, -1.5, 2.5) * skin;
     const double push = most_along(a, pose_a, u) + most_along(b, &pose, back) + gap;
     // Some point of b's edge lies over some point of a's.
-    const bool corners = dice_below(d, 3) == 0;
-    const point on_a = edge_middle(a, pose_a, edge_a, corners ? 0.0 : dice_in(d, -0.5, 1.5));
-    const point on_b = edge_middle(b, &pose, edge_b, corners ? 1.0 : dice_in(d, -0.5, 1.5));
+    const bool corners = test_random_below(d, 3) == 0;
+    const point on_a = edge_middle(a, pose_a, edge_a, corners ? 0.0 : test_random_uniform(d, -0.5, 1.5));
+    const point on_b = edge_middle(b, &pose, edge_b, corners ? 1.0 : test_random_uniform(d, -0.5, 1.5));
     const double slide = (on_a.x - on_b.x) * -u.y + (on_a.y - on_b.y) * u.x;
     pose.p.x = (float)(u.x * push - u.y * slide);
     pose.p.y = (float)(u.y * push + u.x * slide);
     return pose;
 }
 
-bmr_transform32 moved_a_little(dice *d, const bmr_transform32 *pose, double step) {
-    const double angle = atan2((double)pose->s, (double)pose->c) + dice_in(d, -step, step);
-    return pose_of((double)pose->p.x + 0.1 * dice_in(d, -step, step),
-                   (double)pose->p.y + 0.1 * dice_in(d, -step, step), angle);
+bmr_transform32 moved_a_little(test_random *d, const bmr_transform32 *pose, double step) {
+    const double angle = atan2((double)pose->s, (double)pose->c) + test_random_uniform(d, -step, step);
+    return pose_of((double)pose->p.x + 0.1 * test_random_uniform(d, -step, step),
+                   (double)pose->p.y + 0.1 * test_random_uniform(d, -step, step), angle);
 }

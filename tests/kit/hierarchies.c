@@ -2,31 +2,36 @@
 #include "hierarchies.h"
 
 #include <math.h>
+#include <stdlib.h>
 
-static bool visit_kinds(const bmr_compass *compass, const bmr_polygon *p, test_family family,
-                        test_random *random, test_visitor visit, void *context) {
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        bmr_hierarchy *h = NULL;
-        if (bmr_hierarchy_build((bmr_hierarchy_kind)kind, p, compass, NULL, &h) != BMR_OK)
-            return false;
-        visit(h, family, random, context);
-        bmr_hierarchy_destroy(h, NULL);
-    }
-    return true;
+const bmr_compass *test_compass(void) {
+    static bmr_compass *compass;
+    if (!compass && bmr_compass_create(BMR_MAX_VERTICES, NULL, &compass) != BMR_OK)
+        abort();
+    return compass;
 }
 
-bool test_visit_hierarchies(const bmr_compass *compass, const size_t *sizes, size_t size_count, size_t rounds,
-                            uint64_t seed, test_visitor visit, void *context) {
+bmr_hierarchy *test_hierarchy(bmr_hierarchy_kind kind, const bmr_polygon *polygon) {
+    bmr_hierarchy *hierarchy = NULL;
+    if (!polygon || bmr_hierarchy_build(kind, polygon, test_compass(), NULL, &hierarchy) != BMR_OK)
+        abort();
+    return hierarchy;
+}
+
+void test_visit_hierarchies(const size_t *sizes, size_t size_count, size_t rounds, uint64_t seed,
+                            test_visitor visit, void *context) {
     test_random random = {seed};
-    bool built = true;
     for (size_t round = 0; round < rounds; ++round)
         for (size_t i = 0; i < size_count; ++i)
-            for (int family = 0; family < TEST_FAMILY_COUNT && built; ++family) {
+            for (int family = 0; family < TEST_FAMILY_COUNT; ++family) {
                 bmr_polygon *p = test_polygon((test_family)family, sizes[i], &random);
-                built = p && visit_kinds(compass, p, (test_family)family, &random, visit, context);
+                for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
+                    bmr_hierarchy *h = test_hierarchy((bmr_hierarchy_kind)kind, p);
+                    visit(h, (test_family)family, &random, context);
+                    bmr_hierarchy_destroy(h, NULL);
+                }
                 bmr_polygon_destroy(p, NULL);
             }
-    return built;
 }
 
 double test_area(const bmr_vec2 *p, size_t count) {

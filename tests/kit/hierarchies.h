@@ -9,12 +9,18 @@
 extern "C" {
 #endif
 
+/// For polygons of any size, for the life of the program.
+const bmr_compass *test_compass(void);
+
+/// With the directions of test_compass, by malloc. Aborts on failure: a test without memory is none.
+bmr_hierarchy *test_hierarchy(bmr_hierarchy_kind kind, const bmr_polygon *polygon);
+
 /// Shows a visitor one hierarchy of each kind for each family and size; `rounds` times, with other polygons
-/// each time. Returns false if something could not be built.
+/// each time.
 typedef void (*test_visitor)(const bmr_hierarchy *hierarchy, test_family family, test_random *random,
                              void *context);
-bool test_visit_hierarchies(const bmr_compass *compass, const size_t *sizes, size_t size_count, size_t rounds,
-                            uint64_t seed, test_visitor visit, void *context);
+void test_visit_hierarchies(const size_t *sizes, size_t size_count, size_t rounds, uint64_t seed,
+                            test_visitor visit, void *context);
 
 /// By looking at all pairs of vertices.
 double test_diameter(const bmr_polygon *polygon);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "hierarchies.h"
 #include "motions.h"
 
 #define TWO_PI 6.283185307179586
@@ -27,23 +28,11 @@ const bmr_kds_info *test_structure(const char *name) {
     return info;
 }
 
-static const bmr_compass *shared_compass(void) {
-    static bmr_compass *compass; // for the life of the test
-    if (!compass && bmr_compass_create(BMR_MAX_VERTICES, NULL, &compass) != BMR_OK)
-        abort();
-    return compass;
-}
-
 test_kds_body test_kds_body_make(bmr_polygon *polygon) {
     test_kds_body body = {polygon, {NULL, NULL, NULL}, {.polygon = polygon}};
-    if (!polygon)
-        abort();
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        if (bmr_hierarchy_build((bmr_hierarchy_kind)kind, polygon, shared_compass(), NULL,
-                                &body.hierarchies[kind]) != BMR_OK)
-            abort();
-        body.shape.hierarchies[kind] = body.hierarchies[kind];
-    }
+    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
+        body.shape.hierarchies[kind] = body.hierarchies[kind] =
+            test_hierarchy((bmr_hierarchy_kind)kind, polygon);
     return body;
 }
 

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "hierarchies.h"
+
 #define TWO_PI 6.283185307179586
 
 static double distance_to_segment(bmr_vec2 p, bmr_vec2 q) {
@@ -151,22 +153,11 @@ bmr_pose test_motion_next(test_motion *m, test_random *random) {
     return test_pose_at(m->a, m->b, m->direction, m->angle, m->gap);
 }
 
-static const bmr_compass *shared_compass(void) {
-    static bmr_compass *compass; // for the life of the test
-    if (!compass && bmr_compass_create(BMR_MAX_VERTICES, NULL, &compass) != BMR_OK)
-        abort();
-    return compass;
-}
-
 test_body test_body_make(bmr_polygon *polygon, bmr_structure structure) {
     test_body body = {polygon, NULL};
-    bmr_error error = polygon ? BMR_OK : BMR_ERROR_NULL_ARGUMENT;
-    if (error == BMR_OK && structure == BMR_LAZY_COMPASS)
-        error = bmr_hierarchy_build_compass(polygon, shared_compass(), NULL, &body.hierarchy);
-    if (error == BMR_OK && structure == BMR_LAZY_DUDLEY)
-        error = bmr_hierarchy_build_dudley(polygon, NULL, &body.hierarchy);
-    if (error != BMR_OK)
-        abort();
+    if (structure == BMR_LAZY_COMPASS || structure == BMR_LAZY_DUDLEY)
+        body.hierarchy = test_hierarchy(
+            structure == BMR_LAZY_COMPASS ? BMR_HIERARCHY_COMPASS : BMR_HIERARCHY_DUDLEY, polygon);
     return body;
 }
 

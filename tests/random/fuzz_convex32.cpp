@@ -43,7 +43,7 @@ struct Shape {
 void ReadPolygon(fuzz_bytes *bytes, Shape *shape) {
     const uint8_t how = fuzz_u8(bytes);
     if (how % 2 == 0) {
-        dice d = {1u + fuzz_u16(bytes)};
+        test_random d = {1u + fuzz_u16(bytes)};
         const uint32_t count = how % 64 == 2 ? 8 + fuzz_u16(bytes) % 500 : 3 + fuzz_below(bytes, 40);
         shape->block = random_convex32(&d, static_cast<convex32_kind>(how / 2 % KINDS), count);
     } else {
@@ -443,7 +443,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         const double range = p.a.Reach() + p.b.Reach();
         p.poseA = how % 2 == 0 ? PoseOf(0.0, 0.0, 0.0) : ReadPose(&bytes, 20.0);
         if (p.b.block != nullptr && how % 4 < 2) { // against each other, or nearly
-            dice d = {1u + fuzz_u16(&bytes)};
+            test_random d = {1u + fuzz_u16(&bytes)};
             p.poseB =
                 pose_against(&d, p.a.Polygon(), &p.poseA, p.b.Polygon(), double{p.a.radius + p.b.radius});
         } else {

@@ -240,17 +240,9 @@ void CheckInflated(const bmr_hierarchy *h, fuzz_bytes *bytes) {
     }
 }
 
-/// A table for all polygons here.
-const bmr_compass *Compass() {
-    static bmr_compass *compass = nullptr; // for the life of the process
-    if (compass == nullptr && bmr_compass_create(1024, nullptr, &compass) != BMR_OK)
-        abort();
-    return compass;
-}
-
 void FuzzOne(fuzz_bytes *bytes, const bmr_polygon *p, bmr_hierarchy_kind kind) {
     bmr_hierarchy *h = nullptr;
-    const bmr_error error = bmr_hierarchy_build(kind, p, Compass(), nullptr, &h);
+    const bmr_error error = bmr_hierarchy_build(kind, p, test_compass(), nullptr, &h);
     FUZZ_CHECK(error == BMR_OK, "kind %d of %u vertices: error %d", kind, p->count, error);
     FUZZ_CHECK(bmr_hierarchy_audit(h) == BMR_OK, "kind %d of %u vertices: audit %d", kind, p->count,
                bmr_hierarchy_audit(h));
@@ -382,8 +374,8 @@ void FuzzMixed(fuzz_bytes *bytes, const bmr_polygon *a, bmr_hierarchy_kind kind)
         Scene s = {{a, b}, {nullptr, nullptr}, {}, a->extent + b->extent};
         bool built = true;
         for (int i = 0; i < 2; ++i)
-            built = built &&
-                    bmr_hierarchy_build(kind, s.polygons[i], Compass(), nullptr, &s.hierarchies[i]) == BMR_OK;
+            built = built && bmr_hierarchy_build(kind, s.polygons[i], test_compass(), nullptr,
+                                                 &s.hierarchies[i]) == BMR_OK;
         FUZZ_CHECK(built, "no hierarchies");
         s.mixed = bmr_mixed_make(s.hierarchies[0], s.hierarchies[1], std::cos(angle), std::sin(angle), 0.0);
         bmr_mixed_tiling *tiling = nullptr;
