@@ -89,26 +89,6 @@ TEST(a_copy_answers_the_same_from_the_bytes_announced_and_outlives_the_original)
             }
 }
 
-TEST(with_its_polygon_a_hierarchy_takes_at_most_160_bytes_a_vertex) {
-    const size_t sizes[] = {64, 65, 1024, 1025, 4096}; // a power of two plus one has the most compass nodes
-    test_random random = {5};
-    for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
-        for (size_t i = 0; i < COUNT_OF(sizes); ++i) {
-            own_polygon *p = test_polygon((test_family)family, sizes[i], &random);
-            for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT && p->count >= 64; ++kind) {
-                own_hierarchy *h = NULL;
-                assert_int_equal(bmr_hierarchy_build((bmr_hierarchy_kind)kind, p, test_compass(), NULL, &h),
-                                 BMR_OK);
-                const size_t bytes = bmr_hierarchy_bytes(h) + bmr_polygon_bytes(p->count);
-                // What the layout promises: 16 bytes a node, 5 n, 2 n + 4 and n + 4 of them at most, and a
-                // normal for each of Dudley's.
-                const size_t promised[BMR_HIERARCHY_KIND_COUNT] = {96, 64, 32};
-                assert_true(bytes <= 160 * p->count);
-                assert_true(bytes <= promised[kind] * p->count + 256);
-            }
-        }
-}
-
 TEST(polygons_of_65535_vertices_pass_the_audit) {
     const test_family families[] = {TEST_CIRCLE, TEST_NEEDLE, TEST_TINY_EDGES};
     test_random random = {119};

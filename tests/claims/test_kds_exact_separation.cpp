@@ -133,7 +133,13 @@ void LookAtBorder(const bmr_kds_info *info, test_random *random, Border *border)
             {0.0, 0.0},
             0.0};
         bmr_kds_report report;
+        const bool before = bmr_kds_in_contact(kds);
         bmr_kds_start(kds, &now, &report);
+        const bool after = bmr_kds_in_contact(kds);
+        CHECK(report.kind == (after ? BMR_KDS_CONTACT : before ? BMR_KDS_LEAVE : BMR_KDS_START));
+        bmr_kds_proof proof;
+        CHECK(bmr_kds_get_proof(kds, &proof) == !after);
+        CHECK((after || std::fabs(bmr_dot(proof.line.normal, proof.line.normal) - 1.0) < 1e-9));
         return now.pose;
     };
     for (int i = 0; i < 6; ++i) {

@@ -81,46 +81,6 @@ TEST(an_inner_tangent_gives_way_to_features_where_its_points_are_too_near) {
     }
 }
 
-TEST(contact_is_left_beyond_margin_and_hysteresis_only) {
-    for (size_t i = 0; i < bmr_kds_count(); ++i) {
-        own_kds_body a = regular(24), b = other_body(i, 16);
-        bmr_kds_def def = bmr_default_kds_def();
-        def.margin = 1e-3;
-        def.hysteresis = 1e-2;
-        own_kds *kds = made(i, &def, &a, &b);
-        bmr_kds_report report;
-        const double gaps[] = {-0.1, 0.5e-3, 5e-3, 5e-2, 5e-3, 0.9e-3};
-        const bmr_kds_event_kind kinds[] = {BMR_KDS_CONTACT, BMR_KDS_CONTACT, BMR_KDS_CONTACT,
-                                            BMR_KDS_LEAVE,   BMR_KDS_START,   BMR_KDS_CONTACT};
-        for (size_t k = 0; k < sizeof gaps / sizeof *gaps; ++k) {
-            // In the direction of a vertex: the gap is the distance.
-            bmr_instant now = at_gap(&a, &b, 0.0);
-            const bmr_vec2 u = {cos(0.3), sin(0.3)};
-            uint32_t steps = 0;
-            double low = -1.0, high = 1.0; // where the distance is the gap
-            while (steps++ < 60) {
-                const double middle = 0.5 * (low + high);
-                bmr_instant there = now;
-                there.pose.position = bmr_add(now.pose.position, bmr_scale(middle, u));
-                const double distance = test_distance(a.polygon, b.polygon, &there.pose);
-                if (distance > gaps[k])
-                    high = middle;
-                else
-                    low = middle;
-            }
-            now.pose.position = bmr_add(now.pose.position, bmr_scale(gaps[k] < 0.0 ? -0.1 : high, u));
-            bmr_kds_start(kds, &now, &report);
-            assert_int_equal(report.kind, kinds[k]);
-            assert_true(bmr_kds_in_contact(kds) == (kinds[k] == BMR_KDS_CONTACT));
-            bmr_kds_proof proof = {.line = {{0.0, 0.0}, 0.0}};
-            assert_true(bmr_kds_get_proof(kds, &proof) == !bmr_kds_in_contact(kds));
-            const bmr_vec2 n = proof.line.normal;
-            assert_true(bmr_kds_in_contact(kds) || fabs(bmr_dot(n, n) - 1.0) < 1e-9);
-            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
-        }
-    }
-}
-
 /// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.
 /// Bytes: no structure's depend on n but those of sums, of binary searches and of tilings.
 TEST(the_state_does_not_grow_with_the_polygons_unless_it_says_so) {
@@ -339,10 +299,6 @@ TEST(a_wrong_name_is_told_with_the_names_there_are) {
         for (size_t k = 0; k < bmr_kds_count(); ++k)
             assert_non_null(strstr(text, bmr_kds_at(k)->name));
     }
-    const bmr_kds_info *info = untouched;
-    assert_int_equal(bmr_kds_find(NULL, &info), BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_kds_find("hybrid", NULL), BMR_ERROR_NULL_ARGUMENT);
-    assert_ptr_equal(info, untouched);
 }
 
 TEST(the_sentence_fits_what_it_is_given) {
@@ -426,42 +382,4 @@ TEST(a_coarser_line_after_a_roll_proves_a_good_part) {
         assert_int_equal(all.thin, 0);
         assert_true(all.poorer > 0); // the control: some prove less than all
     }
-}
-
-/// Events of a rival that a line past regular n-gons at a distance costs, or a turn in place.
-static uint64_t regular_events(const bmr_kds_info *info, size_t n, bool turns) {
-    bmr_vec2 points[128];
-    bmr_polygon *polygons[2];
-    for (int k = 0; k < 2; k++) {
-        test_regular_points(n, 1.0, 0.1 + 0.3 * k, points);
-        assert_int_equal(bmr_polygon_create(points, n, NULL, &polygons[k]), BMR_OK);
-    }
-    own_kds_body a = test_kds_body_make(polygons[0]), b = test_kds_body_make(polygons[1]);
-    test_path path;
-    memset(&path, 0, sizeof path);
-    path.cubic[0] = bmr_vec2_make(turns ? 0.0 : -30.0, 3.0);
-    path.cubic[1] = bmr_vec2_make(turns ? 0.0 : 60.0, 0.0);
-    path.spin = turns ? 6.283185307179586 : 0.0;
-    bmr_kds_def def = bmr_default_kds_def();
-    def.margin = 1e-6;
-    own_kds *kds = made_kds(info, &def, &a.shape, &b.shape);
-    const test_drive how = {.path = &path, .margin = def.margin};
-    const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
-    assert_true(test_drive_is_sound(&r));
-    return test_drive_events(&r);
-}
-
-/// The rivals cost Theta(n) and Theta(n^2) events.
-TEST(test_a_pass_and_a_turn_cost_events_in_proportion_to_n) {
-    static const char *const rivals[] = {"closest-features", "inner-tangent", "separating-edge-walk"};
-    for (int turns = 0; turns < 2; turns++)
-        for (size_t k = 0; k < COUNT_OF(rivals); k++) {
-            const uint64_t few = regular_events(test_structure(rivals[k]), 16, turns),
-                           many = regular_events(test_structure(rivals[k]), 128, turns);
-            printf("%s, %s: %d events for n = 16, %d for 128\n", rivals[k], turns ? "turn" : "pass", (int)few,
-                   (int)many);
-            assert_true(few >= 7);
-            // Eight times, and an end; the corners of a coarse body that turns rock the other's feature too.
-            assert_true(many >= (turns ? 5 : 7) * few && many <= 9 * few);
-        }
 }

@@ -131,32 +131,3 @@ TEST(rotations_are_made_of_unit_length) {
         }
     }
 }
-
-/// What tests/contracts/motions.cpp does not ask: rotations a little off, and a change that is refused.
-TEST(rotations_off_by_too_much_are_refused_and_nothing_changes) {
-    const bmr_motion_piece good = bmr_piece_screw(0.0, pose_of(1.0, 2.0, 3.0), bmr_vec2_make(1.0, 1.0), 1.0);
-    own_motion *motion = made(&good, NULL), *none = NULL;
-    const double cosines[] = {1.0 + 1e-8, NAN, 1.0 + 1e-10};
-    const bmr_error expected[] = {BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_NOT_FINITE, BMR_OK};
-    for (size_t i = 0; i < COUNT_OF(cosines); i++) {
-        bmr_motion_piece piece = algebraic(0.0);
-        piece.as.algebraic.degree = piece.as.algebraic.rotation_degree = BMR_MOTION_MAX_DEGREE;
-        piece.as.algebraic.start_c = cosines[i];
-        bmr_motion *tried = NULL;
-        assert_int_equal(bmr_motion_create(&piece, NULL, &tried), expected[i]);
-        assert_true((tried != NULL) == (expected[i] == BMR_OK));
-        bmr_motion_destroy(tried);
-        if (expected[i] != BMR_OK)
-            assert_int_equal(bmr_motion_change(motion, 1.0, &piece), expected[i]);
-    }
-    assert_int_equal(bmr_motion_change(NULL, 1.0, &good), BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_motion_piece_count(motion), 1);
-    const double times[] = {0.0, 1.0};
-    bmr_pose poses[] = {pose_of(0.0, 0.0, 0.0), pose_of(1.0, 0.0, 0.0)};
-    assert_int_equal(bmr_motion_create_sampled(NULL, poses, 2, NULL, &none), BMR_ERROR_NULL_ARGUMENT);
-    poses[1].c = 2.0;
-    assert_int_equal(bmr_motion_create_sampled(times, poses, 2, NULL, &none), BMR_ERROR_OUT_OF_RANGE);
-    poses[1].c = NAN;
-    assert_int_equal(bmr_motion_create_sampled(times, poses, 2, NULL, &none), BMR_ERROR_NOT_FINITE);
-    assert_null(none);
-}

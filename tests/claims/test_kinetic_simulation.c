@@ -204,47 +204,6 @@ TEST(a_jump_just_behind_a_failure_comes_first) {
     drop_scene(&s);
 }
 
-/// Sampled motions, and plans made beforehand that jump at times of their own.
-TEST(samples_and_jumps_are_followed) {
-    test_random random = {123};
-    const size_t rounds = test_scaled(6);
-    size_t starts = 0;
-    for (size_t round = 0; round < rounds; round++) {
-        scene s = make_scene(&random, 4, 20);
-        for (size_t i = 0; i < s.count; i++) {
-            if (i % 2) {
-                double times[40];
-                bmr_pose poses[40];
-                for (int k = 0; k < 40; k++) {
-                    times[k] = 0.08 * k;
-                    poses[k] = pose_of(3.0 * sin(0.3 * k + (double)i), 3.0 * cos(0.21 * k), 0.4 * k);
-                }
-                bmr_motion_destroy(s.motions[i]);
-                assert_int_equal(bmr_motion_create_sampled(times, poses, 40, NULL, &s.motions[i]), BMR_OK);
-            }
-            for (int jump = 1; jump < 4 && i < 2; jump++) {
-                const double time = jump + 0.01 * (double)i;
-                const bmr_motion_piece piece = random_plan(&random, 3.0, time, random_place(&random, 3.0));
-                assert_int_equal(bmr_motion_change(s.motions[i], time, &piece), BMR_OK);
-            }
-        }
-        watch w;
-        bmr_simulation *simulation = begin(&s, some_structure(round), &w, NULL);
-        size_t wrong = 0, near = 0;
-        for (int i = 1; i <= 100; i++) {
-            assert_int_equal(bmr_simulation_run(simulation, 0.04 * i), BMR_OK);
-            check_between(&s, simulation, &wrong, &near);
-        }
-        assert_int_equal(wrong, 0);
-        assert_int_equal(w.out_of_order, 0);
-        assert_int_equal(w.failed_audits, 0);
-        starts += bmr_simulation_get_counts(simulation).events[BMR_KDS_START] - s.count * (s.count - 1) / 2;
-        bmr_simulation_destroy(simulation);
-        drop_scene(&s);
-    }
-    assert_true(starts > rounds);
-}
-
 TEST(twenty_bodies_run_long_and_take_no_memory) {
     test_random random = {2};
     scene s = make_scene(&random, MOST_BODIES, 60);

@@ -113,9 +113,10 @@ std::string MadeMotion(Asked &ask, bmr_error error, bmr_motion *made) {
 
 TEST_CASE("boomerang/motion.h") {
     Row("bmr_motion_create", [](Asked &ask) {
-        const bmr_pose pose = {{ask.Number("x", 1, kFinite), 0},
-                               ask.Number("cosine", 1, kFinite + OutOfRange({2, 0})),
-                               ask.Number("sine", 0, kFinite)};
+        const bmr_pose pose = {
+            {ask.Number("x", 1, kFinite), 0},
+            ask.Number("cosine", 1, kFinite + OutOfRange({2, 0, 1 + 1e-8}) + Gives(kOk, {1 + 1e-10})),
+            ask.Number("sine", 0, kFinite)};
         bmr_motion_piece piece =
             bmr_piece_screw(ask.Number("origin", 1, kFinite), pose, {0.5, ask.Number("velocity", 1, kFinite)},
                             ask.Number("spin", 1, kFinite));
@@ -135,7 +136,8 @@ TEST_CASE("boomerang/motion.h") {
             Count(ask.Number("degree of the rotation", 0, OutOfRange({9, kSizeMax})));
         piece.as.algebraic.x[1] = ask.Number("coefficient", 1, kFinite);
         piece.as.algebraic.a[0] = ask.Number("a, where b is 0", 1, kFinite + OutOfRange({0}));
-        piece.as.algebraic.start_c = 1.0;
+        piece.as.algebraic.start_c =
+            ask.Number("cosine", 1, kFinite + OutOfRange({1 + 1e-8}) + Gives(kOk, {1 + 1e-10}));
         bmr_motion *made = nullptr;
         const bmr_error error = bmr_motion_create(&piece, nullptr, ask.Watched(&made));
         return MadeMotion(ask, error, made);
@@ -148,10 +150,11 @@ TEST_CASE("boomerang/motion.h") {
             poses[i] = {{1.0 * i * i, 0.0}, 0.8, 0.6};
         // As far as a double reaches in next to no time.
         poses[1].position.x = time == 1e-38 ? 1e308 : ask.Number("x", 1, kFinite);
+        poses[1].c = ask.Number("cosine", 0.8, kFinite + OutOfRange({2}));
         bmr_motion *made = nullptr;
         const double count = ask.Number("count", 5, Gives(BMR_ERROR_NO_POINTS, {0}));
-        const bmr_error error =
-            bmr_motion_create_sampled(times, poses, Count(count), ask.Allocator(), ask.Watched(&made));
+        const bmr_error error = bmr_motion_create_sampled(ask.NotNull("times", &times[0]), poses,
+                                                          Count(count), ask.Allocator(), ask.Watched(&made));
         return MadeMotion(ask, error, made);
     });
     // A motion that is not changed is as it was, and can be changed once there is memory.
@@ -163,7 +166,7 @@ TEST_CASE("boomerang/motion.h") {
             const bmr_motion_piece change = bmr_piece_screw(i, kSlanted, {1.0 * i, 1.0}, 0.0);
             const double time = ask.IsForMemory() ? i : ask.Number("time", 0, kFinite + Gives(kOk, {1e308}));
             const std::string before = PosesOf(made);
-            error = bmr_motion_change(made, time, ask.NotNull("piece", &change));
+            error = bmr_motion_change(ask.NotNull("motion", made), time, ask.NotNull("piece", &change));
             if (error != BMR_OK && (PosesOf(made) != before || bmr_motion_change(made, i, &change) != BMR_OK))
                 error = BMR_ERROR_COUNT;
         }

@@ -22,14 +22,6 @@ float reference_max_separation(const bmr_convex32 *reference, const bmr_transfor
 float reference_edge_separation(const bmr_convex32 *reference, const bmr_transform32 *pose, uint32_t edge,
                                 const bmr_convex32 *other, const bmr_transform32 *other_pose);
 
-/// The same largest separation in double.
-double reference_true_separation(const bmr_convex32 *reference, const bmr_transform32 *pose,
-                                 const bmr_convex32 *other, const bmr_transform32 *other_pose);
-
-/// How far apart the two are, in double; 0 where they overlap.
-double reference_distance(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
-                          const bmr_transform32 *pose_b);
-
 void reference_collide(bmr_manifold32 *manifold, const bmr_convex32 *a, const bmr_transform32 *pose_a,
                        const bmr_convex32 *b, const bmr_transform32 *pose_b, float radius_sum,
                        float tolerance);
