@@ -23,6 +23,9 @@ int main() {
     FillWithBoxes(world);
     Hash hash;
     Step(world, kSteps, &hash);
+#if defined(VERSION) // as a module, of which there are several
+    std::printf("version %d: ", VERSION);
+#endif
     std::printf("%016" PRIx64 " begun %d ended %d\n", hash.Value(), counter.begun, counter.ended);
     return 0;
 }

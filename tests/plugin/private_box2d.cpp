@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A module with a Box2D of its own inside, as engines bring it: the mangled names are Box2D's, the classes
-// are not. What is called is seen from outside, so that a preloaded library stands in front of it.
+// are not. What is called is seen from outside, so that a preloaded library stands in front of it. VERSION
+// tells one module from another.
 #include <cstdio>
-
-#if !defined(VERSION)
-#    define VERSION 2
-#endif
 
 /// Its number lies behind all that another Box2D would take for a world, and that is zeros: nothing to do.
 class b2World {

@@ -207,7 +207,7 @@ test_the_last_line_says_what_steps_took() {
     game plain_game LD_PRELOAD="$plugin"
     [ ! -s "$room/last_line" ] || fail "not asked, and said all the same"
     # A game that is ended from outside says it, too.
-    (LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1 BOOMERANG=off exec "$bin/endless_game" 2>"$room/last_line" >"$room/ready") &
+    (LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1 BOOMERANG=off exec "$bin/odd_game" endless 2>"$room/last_line" >"$room/ready") &
     local game=$! status=0
     while ! [ -s "$room/ready" ]; do sleep 0.05; done
     kill -TERM "$game"
@@ -308,14 +308,14 @@ test_no_box2d_need_be_there() {
 played() {
     local module=$bin/$1.so what=$2
     shift 2
-    "$bin/module_host" "$module" >"$room/stock_of_it" || fail "$what: failed without the plugin"
-    game "module_host $module" "$@" || fail "$what: exit status $?"
+    "$bin/host" "$module" >"$room/stock_of_it" || fail "$what: failed without the plugin"
+    game "host $module" "$@" || fail "$what: exit status $?"
     cmp -s "$room/out" "$room/stock_of_it" || fail "$what: other output"
 }
 
 test_modules_keep_their_own_box2d() {
     local module setting
-    for module in libprivate_module libsharing_module; do
+    for module in libprivate_2 libsharing_2; do
         for setting in '' off on verify; do
             played "$module" "$module, '$setting'" LD_PRELOAD="$plugin" BOOMERANG="$setting"
             quiet "$module, '$setting'"
@@ -324,16 +324,16 @@ test_modules_keep_their_own_box2d() {
         played "$module" "$module, verbose" LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
         one_line "$module, verbose" "not used: .* a module's own .*\(boomerang_accelerate()\|LD_PRELOAD=\"$plugin /.*/libbox2d.*\"\)\$"
     done
-    game "module_host $bin/libsharing_module.so global" LD_PRELOAD="$plugin"
+    game "host $bin/libsharing_2.so global" LD_PRELOAD="$plugin"
     one_line "a module's Box2D for all to see" "was loaded after this library\. Name both: LD_PRELOAD=\"$plugin /.*/libbox2d.*\"\$"
     # Named with the library, the one that the module would bring is in search order.
     for setting in '' verify; do
-        played libsharing_module "both preloaded, '$setting'" LD_PRELOAD="$plugin:$box2d" BOOMERANG="$setting"
+        played libsharing_2 "both preloaded, '$setting'" LD_PRELOAD="$plugin:$box2d" BOOMERANG="$setting"
         if [ "$setting" = verify ]; then verified "both preloaded"; else quiet "both preloaded"; fi
         at_work "both preloaded, '$setting'"
     done
     # Control, and the limit: where there are two, calls by name all go to the one that is in search order.
-    game "module_host $bin/libprivate_module.so" LD_PRELOAD="$plugin:$box2d" BOOMERANG=off
+    game "host $bin/libprivate_2.so" LD_PRELOAD="$plugin:$box2d" BOOMERANG=off
     grep -q 'steps 10' "$room/out" && fail "control: another Box2D in front changes nothing"
 }
 
@@ -342,46 +342,46 @@ test_games_are_opened_again() {
     local kind setting
     for kind in private sharing; do
         local versions=("$bin/lib${kind}_1.so" "$bin/lib${kind}_2.so" "$bin/lib${kind}_3.so")
-        "$bin/reloading_host" "$room/game.so" "${versions[@]}" >"$room/stock_of_it" || fail "$kind: failed without the plugin"
+        "$bin/host" as "$room/game.so" "${versions[@]}" >"$room/stock_of_it" || fail "$kind: failed without the plugin"
         [ "$(sort -u "$room/stock_of_it" | wc -l)" -eq 3 ] || fail "$kind: control: not three versions"
         for setting in '' off on verify; do
-            game "reloading_host $room/game.so ${versions[*]}" LD_PRELOAD="$plugin" BOOMERANG="$setting" ||
+            game "host as $room/game.so ${versions[*]}" LD_PRELOAD="$plugin" BOOMERANG="$setting" ||
                 fail "$kind, '$setting': exit status $?"
             cmp -s "$room/out" "$room/stock_of_it" || fail "$kind, '$setting': other versions were played"
             quiet "$kind, '$setting'"
         done
     done
     # Opened for all to see.
-    game "module_host $bin/libsharing_1.so global" LD_PRELOAD="$plugin" BOOMERANG=off || fail "for all to see: exit status $?"
+    game "host $bin/libsharing_1.so global" LD_PRELOAD="$plugin" BOOMERANG=off || fail "for all to see: exit status $?"
 }
 
 test_worlds_are_stepped_to_the_very_end() {
-    plays_as_stock ending_game MALLOC_PERTURB_=165
+    plays_as_stock "odd_game ending" MALLOC_PERTURB_=165
     command -v valgrind >/dev/null || return 0
-    LD_PRELOAD=$plugin valgrind -q --error-exitcode=9 "$bin/ending_game" >"$room/out" 2>"$room/err" ||
-        fail "ending_game: valgrind has something to say"
-    cmp -s "$room/out" "$room/stock_of_it" || fail "ending_game: other output under valgrind"
+    LD_PRELOAD=$plugin valgrind -q --error-exitcode=9 "$bin/odd_game" ending >"$room/out" 2>"$room/err" ||
+        fail "odd_game ending: valgrind has something to say"
+    cmp -s "$room/out" "$room/stock_of_it" || fail "odd_game ending: other output under valgrind"
 }
 
 test_forked_games_play_on() {
-    plays_as_stock "forking_game 30 40"
+    plays_as_stock "odd_game forking 30 40"
     [ "$(number steps)" -eq 70 ] || fail "the counts are not the parent's"
-    game "forking_game 30 40 abruptly" LD_PRELOAD="$plugin"
+    game "odd_game forking 30 40 abruptly" LD_PRELOAD="$plugin"
     at_rest "the counts of a child whose parent says nothing"
     # Forked before the first step: who steps starts.
-    plays_as_stock "forking_game 0 40"
-    game "forking_game 30 40" LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
+    plays_as_stock "odd_game forking 0 40"
+    game "odd_game forking 30 40" LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
     one_line "forked, verbose" 'boomerang: on'
-    game "forking_game 30 40" LD_PRELOAD="$plugin" BOOMERANG=verify
+    game "odd_game forking 30 40" LD_PRELOAD="$plugin" BOOMERANG=verify
     verified "forked, verify"
     [ "$(wc -l <"$room/err")" -eq 1 ] || fail "forked, verify: not the parent's line alone"
 }
 
 test_the_library_is_refused_where_it_is_opened_in_the_middle() {
     local mode
-    env "$bin/opening_game" >"$room/stock_of_it" || fail "opening_game does not run"
+    "$bin/odd_game" opening >"$room/stock_of_it" || fail "odd_game opening does not run"
     for mode in on verify; do
-        game "opening_game $plugin" BOOMERANG="$mode" || fail "opened, $mode: failed"
+        game "odd_game opening $plugin" BOOMERANG="$mode" || fail "opened, $mode: failed"
         cmp -s "$room/out" "$room/stock_of_it" || fail "opened, $mode: other output than stock's"
         one_line "opened, $mode" 'not at work, .*libbox2d\.so.* is ahead of it\. '
         at_rest "opened, $mode"

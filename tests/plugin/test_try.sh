@@ -40,7 +40,7 @@ holds "it says how far apart they are" says '(\([0-9.]+ to [0-9.]+|too noisy to 
 holds "it gives numbers that a reader reads" says 'steps are ([1-9][0-9]?|100|[0-9]\.[0-9]+) % of the time'
 holds "through a launcher that goes before its game" tries 0 -- sh -c "$bin/plain_game &"
 holds "no --, and options of the game's own" tries 0 "$bin/plain_game" --seconds 7 -- --quiet
-holds "a game that goes on for ever is ended" tries 0 --seconds 1 -- "$bin/endless_game"
+holds "a game that goes on for ever is ended" tries 0 --seconds 1 -- "$bin/odd_game" endless
 holds "it says what it took" says 'A step takes .* In stock, steps are ([6-9][0-9]|100) % of the time'
 counts_runs() { "$boomerang" try --rounds 3 -- "$bin/plain_game" 2>"$room/said" >/dev/null; }
 holds "with progress" counts_runs
@@ -67,15 +67,15 @@ holds "says so" says 'is preloaded already \(LD_PRELOAD\), ahead of Box2D 2'
 
 holds "Box2D inside the program" tries 3 -- "$bin/vendored_game"
 holds "says so, and what to do" says 'has Box2D inside .*/vendored_game, where .*boomerang_accelerate\(TARGET\)'
-holds "Box2D inside a module that is closed again" tries 3 -- "$bin/module_host" "$bin/libprivate_module.so"
-holds "names the module" says 'inside a module.s own file \(dlopen\), .*/libprivate_module\.so.*boomerang_accelerate\(\)'
-holds "Box2D of a module" tries 3 -- "$bin/module_host" "$bin/libsharing_module.so"
+holds "Box2D inside a module that is closed again" tries 3 -- "$bin/host" "$bin/libprivate_2.so"
+holds "names the module" says 'inside a module.s own file \(dlopen\), .*/libprivate_2\.so.*boomerang_accelerate\(\)'
+holds "Box2D of a module" tries 3 -- "$bin/host" "$bin/libsharing_2.so"
 box2d=$(sed -nE 's/.*LD_PRELOAD=([^ ]*) boomerang try .*/\1/p' "$room/said")
-holds "how to play it" says "LD_PRELOAD=/.*/libboomerang_box2d[^ ]*:$box2d .*/module_host "
-holds "which is in sight where it is preloaded" env LD_PRELOAD="$box2d" "$boomerang" try --quiet --rounds 1 -- "$bin/module_host" \
-    "$bin/libsharing_module.so"
-holds "Box2D of a module, for all to see" tries 3 "$bin/module_host" "$bin/libsharing_module.so" global
-holds "was there too late, and both are named" says "was loaded after this library\. .*LD_PRELOAD=/.*/libboomerang_box2d[^ ]*:/.*/libbox2d[^ ]* .*/module_host "
+holds "how to play it" says "LD_PRELOAD=/.*/libboomerang_box2d[^ ]*:$box2d .*/host "
+holds "which is in sight where it is preloaded" env LD_PRELOAD="$box2d" "$boomerang" try --quiet --rounds 1 -- "$bin/host" \
+    "$bin/libsharing_2.so"
+holds "Box2D of a module, for all to see" tries 3 "$bin/host" "$bin/libsharing_2.so" global
+holds "was there too late, and both are named" says "was loaded after this library\. .*LD_PRELOAD=/.*/libboomerang_box2d[^ ]*:/.*/libbox2d[^ ]* .*/host "
 holds "another Box2D under that name" tries 3 -- "$bin/strange_game"
 holds "is left alone, and says why" says 'leaves this game.s Box2D alone: the Box2D of this process lacks '
 holds "no Box2D at all" tries 3 -- "$bin/no_game"

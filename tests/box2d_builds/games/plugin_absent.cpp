@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "game.h"
-
-void box2d_builds::InstallPlugin() {}
