@@ -290,5 +290,6 @@ const Reaction kReactions[] = {
      }},
 };
 const uint32_t kReactionCount = sizeof kReactions / sizeof *kReactions;
+std::atomic<uint64_t> reactionsDone[sizeof kReactions / sizeof *kReactions];
 
 } // namespace actor

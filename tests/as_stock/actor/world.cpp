@@ -297,8 +297,8 @@ void World::React(b2Contact *contact, Occasion occasion) {
         return;
     const b2Fixture &a = *contact->GetFixtureA(), &b = *contact->GetFixtureB();
     const uint32_t mixed = Mix(a, b, occasion);
-    const uint32_t number = reactions[mixed % kReactionsHeld];
-    const Reaction &reaction = kReactions[number < kReactionCount ? number : 0];
+    const uint32_t held = reactions[mixed % kReactionsHeld], number = held < kReactionCount ? held : 0;
+    const Reaction &reaction = kReactions[number];
     // Not locked: a body, a fixture or the world is being taken apart.
     if (!m_world.IsLocked() && reaction.manners != kUnlocked)
         return;
@@ -315,6 +315,7 @@ void World::React(b2Contact *contact, Occasion occasion) {
                      rest,
                      0.05f * static_cast<float>(rest / 2 % 20),
                      occasion};
+    reactionsDone[number].fetch_add(1, std::memory_order_relaxed);
     reaction.act(moment);
     m_reacting = false;
 }

@@ -2,6 +2,8 @@
 #ifndef AS_STOCK_ACTOR_WORLD_H
 #define AS_STOCK_ACTOR_WORLD_H
 
+#include <atomic>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,7 @@ struct Reaction {
 };
 extern const Reaction kReactions[];
 extern const uint32_t kReactionCount;
+extern std::atomic<uint64_t> reactionsDone[]; ///< how often each was done, in this process
 uint8_t ReactionOf(const char *name);
 
 /// A world, the numbers of what is in it, and what its callbacks do: a few bytes, chosen from by the numbers
