@@ -212,10 +212,10 @@ inline bool AnyBigPolygon() {
     return internal::anyBigPolygon.load(std::memory_order_relaxed);
 }
 
-/// Hands a polygon at a pose to a game's b2Draw::DrawSolidPolygon: in pieces of at most b2_maxPolygonVertices
-/// vertices, which is all that a drawer of Box2D's polygons must have room for, or whole. Without memory for
-/// the whole outline, in pieces. Of a piece of an outline with seams the edges that are the outline's follow
-/// as segments; of an edge behind a part of which another piece goes on, the other parts.
+/// Hands a polygon at a pose to a game's b2Draw::DrawSolidPolygon: whole, or in pieces of at most
+/// b2_maxPolygonVertices vertices, for which every drawer of Box2D's polygons has room. Without memory for
+/// the whole outline, in pieces. If the polygon is a piece of an outline, segments follow: its edges, and
+/// parts of edges, behind which no other piece goes on.
 void DrawOutline(const bmr_convex32_block &block, const b2Transform &xf, const b2Color &color,
                  Outlines outlines, b2Draw &draw);
 

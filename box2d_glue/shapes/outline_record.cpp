@@ -139,9 +139,9 @@ private:
         return !(m_slivers[behind] && HasOutline(behind));
     }
 
-    /// Where the outline comes from that ends at the beginning of `edge`, the edge ahead of which is inner;
-    /// where it goes to that begins at the beginning of `edge`, which is inner itself. Around the corner,
-    /// from piece to piece: the first edge that has no other piece behind it.
+    /// The edge of the outline that ends where `edge` begins, if the edge ahead of `edge` is inner: its other
+    /// end. And likewise of the edge of the outline that begins there, if `edge` is inner. Both walk around
+    /// the corner, from piece to piece, to the first edge that has no other piece behind it.
     bmr_vec32 ComesFrom(uint32_t edge) const {
         uint32_t around = Previous(edge);
         while (!IsOutline(around))

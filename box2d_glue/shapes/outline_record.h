@@ -63,8 +63,8 @@ private:
     b2Vec2 m_moment{0.0f, 0.0f};
 };
 
-/// The sum of which Box2D takes off `ofCentre`: what is left is above zero, and as near to `own` as floats
-/// hold it.
+/// The inertia about the origin that a shape reports. Box2D subtracts `ofCentre` from it: the difference is
+/// above zero, and as near to `own` as floats hold it.
 inline float InertiaAboutOrigin(float ofCentre, double own) {
     const auto square = static_cast<double>(ofCentre);
     return static_cast<float>(square + (own < HeldInertia(1) * square ? kSafeInertia * square : own));

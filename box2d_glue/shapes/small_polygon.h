@@ -41,9 +41,9 @@ inline uint64_t DigestOf(const b2PolygonShape &polygon) {
 
 namespace internal {
 
-/// Has it a side of which Box2D makes no unit vector? Clipping against such a side keeps points however far
-/// off they are, so a hull proves nothing. (b2PolygonShape::Set makes no such side, but a game may.) A NaN
-/// counts as one.
+/// Has it a side that is too short for Box2D to normalise? Clipping against such a side keeps points however
+/// far off they are, so a hull proves nothing. (b2PolygonShape::Set makes no such side, but a game may.) A
+/// NaN counts as one.
 inline bool HasSideWithoutDirection(const b2PolygonShape &polygon) {
     constexpr float kShortest = 2.0f * b2_epsilon; // b2Vec2::Normalize's limit, far from its rounding
     for (int32 i = 0; i < polygon.m_count; ++i) {
@@ -54,11 +54,11 @@ inline bool HasSideWithoutDirection(const b2PolygonShape &polygon) {
     return false;
 }
 
-/// Are its normals those of its sides? b2CollidePolygons goes by normals, a hull by vertices: of normals that
-/// are others the face that Box2D clips against may be any, and keeps points however far off they are.
-/// b2PolygonShape::Set tilts them by 2.2 units, and the product here is off by 3 more. Vertices that were
-/// turned and moved after their normals are off by the rounding of their place. glue/proofs/README.md has
-/// what that costs.
+/// Are its normals those of its sides? b2CollidePolygons uses the normals, a hull the vertices. With other
+/// normals Box2D may clip against any face, and then keeps points however far off they are.
+/// b2PolygonShape::Set tilts normals by 2.2 units, and the product here is off by 3 more. If a game turned
+/// and moved vertices after it made the normals, they are off by the rounding of the vertices.
+/// glue/proofs/README.md has the cost of that.
 inline bool HasNormalsOfItsSides(const b2PolygonShape &polygon) {
     constexpr float kUnit = 0.5f * b2_epsilon;
     constexpr float kTilt = 8.0f * kUnit, kLength = 16.0f * kUnit, kRounding = 8.0f * kUnit;

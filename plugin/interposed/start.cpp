@@ -17,6 +17,7 @@
 #include "boomerang/box2d.h"
 #include "debug/exit_line.h"
 #include "interposed/real.h"
+#include "interposed/weak_box2d.h"
 #include "start/install.h"
 #include "start/settings.h"
 

@@ -22,7 +22,7 @@ but() { "$1" "$2" && ! "$1" "$3"; }
 
 library() { ls "$build/$1"/libbox2d.so.2 "$build/$1"/libbox2d.a 2>/dev/null; }
 exported() { nm -D --defined-only "$1" | awk '{ print $NF }' | LC_ALL=C sort; }
-# (grep reads to the end: who writes must not be told that nobody listens.)
+# (grep reads to the end: else the program that writes would get a broken pipe.)
 has_assertions() { strings -a "$(library "$1")" | grep -c 'm_world->IsLocked() == false' >/dev/null; }
 has_own_allocator() { nm -D --defined-only "$(library "$1")" | grep -c ' box2dBlocks$' >/dev/null; }
 has_fused() { objdump -d --no-show-raw-insn "$(library "$1")" | grep -cE '[[:space:]](vfn?m(add|sub)[0-9a-z]*|fn?m(add|sub)) ' >/dev/null; }

@@ -35,7 +35,7 @@ fails() {
 
 # play NAME PRELOADED PROGRAM ARGUMENT...: what it prints into $room/NAME, what it says into $room/NAME.err
 play() {
-    # (In a shell of its own, which stays to say to nobody that the game crashed.)
+    # (In a shell of its own: what that says of a crash goes to /dev/null.)
     (
         "${runner[@]}" ${2:+"${set_variable[@]}" "LD_PRELOAD=$2"} "$3" "${@:4}" >"$room/$1" 2>"$room/$1.err"
         exit $?

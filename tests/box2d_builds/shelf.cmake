@@ -1,19 +1,9 @@
 # SPDX-License-Identifier: MIT
-# The shelf: Box2D 2.4.1 as games build it. One row a variant, and what each means; README.md says how to use them.
+# The shelf: Box2D 2.4.1 as games build it. README.md says what each variant is, and why.
 #
-#   variant     what is built                                  what it must not change, or what it may break
-#   debian      Debian's flags, file by file, shared           nothing: it must do what the installed library does
-#   ndebug      -O3 -DNDEBUG, shared: a game's release build   no assertion stops a listener from what it may not do
-#   units10     b2_lengthUnitsPerMeter 10, shared              all of Box2D's constants are ten times as large
-#   static      an archive, file by file                       no call of it can be answered from outside
-#   allocator   b2Alloc and b2Free of its own, shared          memory must go back to whom it came from
-#   fma         -O3 -march=haswell, shared                     products are added without being rounded
-#   hidden      an archive, compiled with -fvisibility=hidden  as static, and nothing of it is seen from outside
-#   regrouped   an archive: -march=haswell -ffast-math         accelerated, it has the bits of the others
-#
-# The last four are there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second time, from the same sources by
-# the same flags, with boomerang_accelerate: box2d_VARIANT_accelerated, in <build>/VARIANT/accelerated/. (Where the first is of one
-# source, this is of CMake's unity; without BOX2D_BUILDS_LONG always.)
+# allocator, fma, hidden and regrouped are there with BOX2D_BUILDS_LONG alone. Those in ${BOX2D_ACCELERATED} are built a second
+# time, from the same sources by the same flags, with boomerang_accelerate: box2d_VARIANT_accelerated, in
+# <build>/VARIANT/accelerated/. (Where the first is of one source, this is of CMake's unity; without BOX2D_BUILDS_LONG always.)
 #
 # After box2d_shelf(SOURCE), for each VARIANT of ${BOX2D_SHELF}:
 #

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Bullets of big polygons at 60 to 110 m/s against whatever is thin, and against each other: nothing gets
+// Bullets of big polygons at 60 to 110 m/s against thin walls, and against each other: nothing gets
 // through. Built as convex_queries.cpp is: with real polygons and with octagons for b2TimeOfImpact.
 //
 // Bullets in one room do not see each other: one that a heavier one squeezes against a wall is overlapped by
 // both after Box2D's correction of positions, and Box2D gives up on it, whatever its shape.
 //
 // usage: convex_bullets [SHOTS] [control]
-// In the control nobody asks for times of impact: many get through. Exit codes: 0 none is through, 1 some
+// In the control the world is not continuous: many get through. Exit codes: 0 none is through, 1 some
 // are, 2 wrong usage.
 #include <cmath>
 #include <cstdio>

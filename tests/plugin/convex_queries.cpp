@@ -283,7 +283,7 @@ TEST_CASE("DebugDraw hands over no more than 8 vertices at a time, and nothing i
         CHECK(drawer.polygons == (kReal ? kPieces : 1)); // or the octagon
         bmr::DrawConvexShapes(world, drawer);
         CHECK(drawer.polygons == (kReal ? kPieces : 1 + kPieces));
-        bmr::DrawConvexShapes(world, other); // control: nobody has drawn there
+        bmr::DrawConvexShapes(world, other); // control: nothing was drawn there
         CHECK(other.polygons == kPieces);
         bmr::DrawConvexShapes(world, drawer); // nor since
         CHECK(drawer.polygons == (kReal ? 2 * kPieces : 1 + 2 * kPieces));

@@ -55,7 +55,7 @@ struct Dying {
         Step(*world, kSteps, &hash);
     }
     void StepOn() {
-        // What others have freed by now is somebody's by then.
+        // Memory that was freed by now is overwritten.
         for (const size_t size :
              {size_t{64}, size_t{8192}, sizeof(b2World), size_t{150000}, size_t{200000}}) {
             void *taken = std::malloc(size);

@@ -12,7 +12,7 @@
 //   short-lived   a thread for a few steps, which then ends; the world lives on
 //   counted       handed over, while another thread reads the statistics
 //   installing    as at-once; every thread installs the plugin first, all at one moment
-//   beside        as at-once; every other thread moves bodies of a world that nobody steps at first, while
+//   beside        as at-once; every other thread moves bodies of a world that is not stepped at first, while
 //                 the others begin
 //
 // On stderr: how many calls installed the plugin. Exit status 1: a claim does not hold, which is said.
@@ -121,7 +121,7 @@ void LiveWhole(World *world, int steps) {
     world->Destroy();
 }
 
-/// Each thread takes the next world that nobody has had.
+/// Each thread takes the next world that no thread has had.
 void ForEach(Worlds *worlds, std::atomic<size_t> *next, const std::function<void(World *)> &work) {
     for (size_t i; (i = next->fetch_add(1)) < worlds->size();)
         work(&(*worlds)[i]);
