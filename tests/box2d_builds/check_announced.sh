@@ -41,7 +41,7 @@ says() {
     processor_for "$variant" || return 1
     : >"$room/counts"
     "${runner[@]}" "${set_variable[@]}" "LD_PRELOAD=$preload" "${set_variable[@]}" BOOMERANG_VERBOSE=1 \
-        "${set_variable[@]}" "BOOMERANG_COUNTS=$room/counts" "$program" 71 >/dev/null 2>"$room/err"
+        "${set_variable[@]}" "BOOMERANG_COUNTS=$room/counts" "$program" 97 >/dev/null 2>"$room/err"
     sed -i '/^boomerang: [0-9]* steps, /d' "$room/err" # said at the end
     if ! grep -q "^boomerang: $line" "$room/err" || [ "$(grep -c '^boomerang: ' "$room/err")" -ne 1 ]; then
         fails "$variant, $way: says \"$(cat "$room/err")\", not \"$line\""

@@ -20,7 +20,7 @@ processor_for fused || exit 1
 says() {
     rm -f "$room/counts"
     "${runner[@]}" -E "LD_PRELOAD=${3-$plugin}" -E BOOMERANG_VERBOSE=1 -E "BOOMERANG_COUNTS=$room/counts" \
-        "$build/$1/games_$1${3+_accelerated}" 71 >/dev/null 2>"$room/err"
+        "$build/$1/games_$1${3+_accelerated}" 97 >/dev/null 2>"$room/err"
     grep -q "^boomerang: $2" "$room/err" && grep -q '^steps [1-9]' "$room/counts" && grep -q '^edge_checks [1-9]' "$room/counts"
 }
 says_not() { ! says "$@"; }
