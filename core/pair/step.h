@@ -9,7 +9,7 @@
 
 /// @file
 /// What the files of this room tell one another. A structure is one function that repairs a pair whose
-/// certificate has failed (or that has none yet). pair.c calls it, and does what all structures share: the
+/// certificate has failed (or that has none yet). pair.c calls it. step.c does what all structures share: the
 /// quick look, the disks, contact, and telling the observer.
 
 /// One call of bmr_pair_advance.
@@ -37,6 +37,8 @@ typedef enum bmr_failure {
 /// Makes the certificate of two bounding disks, with its level, if they prove more than `need`. *gap: what
 /// they prove.
 bool bmr_disks_certify(bmr_step *step, double need, double *gap);
+/// What the two disks of a certificate prove at this pose.
+double bmr_disks_gap(const bmr_certificate *certificate, const bmr_pose *b_in_a);
 bmr_error bmr_disks_audit(const bmr_certificate *certificate, const bmr_polygon *a, const bmr_polygon *b,
                           const bmr_pose *b_in_a);
 
@@ -65,7 +67,16 @@ bmr_answer bmr_contact_enter(bmr_step *step, const bmr_simplex *simplex, int lev
 
 /// Counts an event and hands it to the observer.
 void bmr_step_tell(const bmr_step *step, bmr_event_kind kind, int level_before, int level_after, double gap);
-/// Looks at the pair's certificate at the step's pose: does it prove more than `need`? *gap: what it proves.
+/// Does the pair's certificate prove more than `margin` at this pose? *gap: what it proves.
+static inline bmr_check bmr_pair_look(const bmr_pair *pair, const bmr_pose *b_in_a, double margin,
+                                      double *gap) {
+    if (pair->level == BMR_LEVEL_DISKS) {
+        *gap = bmr_disks_gap(&pair->certificate, b_in_a);
+        return *gap > margin ? BMR_CHECK_HOLDS : BMR_CHECK_CROSSED;
+    }
+    return bmr_certificate_check_pair(&pair->certificate, b_in_a, pair->owner, margin, gap);
+}
+/// The same at the step's pose.
 bool bmr_step_holds(const bmr_step *step, double need, double *gap);
 
 /// A line in the closest direction, fixed in the body that leaves the wider bracket, and a window of the
