@@ -2,8 +2,16 @@
 #include "debug/statistics.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cinttypes>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <iterator>
+#include <string_view>
 
+#include "boomerang/box2d_glue.h"
 #include "start/install.h"
 #include "start/settings.h"
 
@@ -68,6 +76,165 @@ Statistics GetStatistics() {
     s.verified = counted.verified;
     s.differences = counted.differences;
     return s;
+}
+
+// The line at exit.
+
+bool internal::timesSteps = false;
+
+namespace {
+
+BMR_THREAD bool inStep = false;
+bool linesAreWanted = false;
+std::atomic<uint64_t> steps{0}, nanoseconds{0}, passes{0}, pairsSeen{0}, touchingPairs{0};
+std::atomic<bool> lineIsSaid{false};
+std::atomic<long> steppedIn{0}; ///< the process that took the first step; 0: none did
+uint64_t mostSteps = ~uint64_t{0};
+
+constexpr int kMostCalls = 4;
+std::atomic<int> callCount{0};
+std::atomic<void (*)()> calls[kMostCalls];
+
+int64_t Now() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+}
+
+/// Not of a process that was forked: its parent says what both had.
+void SayLine() {
+    const auto count = static_cast<double>(steps), seen = static_cast<double>(passes);
+    if (count == 0.0 || steppedIn != ThisProcess() || lineIsSaid.exchange(true))
+        return;
+    char ofPairs[120] = "";
+    if (seen > 0.0)
+        std::snprintf(ofPairs, sizeof ofPairs, "; %.1f pairs of awake bodies a step, %.1f of them touch",
+                      static_cast<double>(pairsSeen) / seen, static_cast<double>(touchingPairs) / seen);
+    std::fprintf(stderr, "boomerang: %.0f steps, %.2f us each%s\n", count,
+                 1e-3 * static_cast<double>(nanoseconds) / count, ofPairs);
+}
+
+void CallAll() {
+    for (int i = callCount; i-- > 0;)
+        if (void (*const call)() = calls[i].exchange(nullptr))
+            call();
+}
+
+#if !defined(_WIN32)
+
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
+/// The signal's own work is done when this returns.
+void EndBySignal(int number) {
+    CallAll();
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+}
+
+void Replace(void (*before)(int), void (*after)(int)) {
+    for (const int number : kSignals) {
+        struct sigaction handled = {};
+        if (sigaction(number, nullptr, &handled) == 0 && (handled.sa_flags & SA_SIGINFO) == 0 &&
+            handled.sa_handler == before)
+            std::signal(number, after);
+    }
+}
+
+/// The library may be closed before the process ends.
+void EndAtExit() {
+    CallAll();
+    Replace(EndBySignal, SIG_DFL);
+}
+
+void WatchForSignals() {
+    Replace(SIG_DFL, EndBySignal);
+}
+
+#else
+
+void EndAtExit() {
+    CallAll();
+}
+void WatchForSignals() {}
+
+#endif
+
+void WriteCounts() {
+    std::FILE *const file = IsInstalled() && (steppedIn == 0 || steppedIn == ThisProcess())
+                                ? std::fopen(ReadEnvironment("BOOMERANG_COUNTS").data(), "w")
+                                : nullptr;
+    if (file == nullptr)
+        return;
+    const Counted counted = internal::ReadCounts();
+    VisitCounts(
+        [file](const char *name, uint64_t count) { std::fprintf(file, "%s %" PRIu64 "\n", name, count); },
+        counted);
+    std::fprintf(file, "way %s %s\n", TheWay(), VersionOfBox2D());
+    std::fclose(file);
+}
+
+} // namespace
+
+void CallAtEnd(void (*say)()) {
+    if (callCount == 0)
+        std::atexit(EndAtExit);
+    const int place = callCount++;
+    if (place < kMostCalls)
+        calls[place] = say;
+}
+
+void TimeSteps() {
+    if (linesAreWanted)
+        return;
+    const std::string_view most = ReadEnvironment("BOOMERANG_STEPS");
+    if (const uint64_t number = most.empty() ? 0 : std::strtoull(most.data(), nullptr, 10); number > 0)
+        mostSteps = number;
+    CallAtEnd(SayLine);
+    linesAreWanted = internal::timesSteps = true;
+}
+
+void ReadVerbosity() {
+    if (IsVerbose())
+        TimeSteps();
+    [[maybe_unused]] static const bool once = [] {
+        if (CountsAreWanted()) {
+            CallAtEnd(WriteCounts);
+            internal::timesSteps = true;
+        }
+        return true;
+    }();
+}
+
+bool CountsAreWanted() {
+    return !ReadEnvironment("BOOMERANG_COUNTS").empty();
+}
+
+TimedStep::TimedStep() : m_begin(Now()), m_outermost(!inStep) {
+    inStep = true;
+    long none = 0;
+    if (steppedIn.load(std::memory_order_relaxed) == 0 &&
+        steppedIn.compare_exchange_strong(none, ThisProcess()))
+        WatchForSignals();
+}
+
+void TimedStep::End() const {
+    if (!m_outermost || steps.load(std::memory_order_relaxed) >= mostSteps)
+        return;
+    nanoseconds.fetch_add(static_cast<uint64_t>(Now() - m_begin), std::memory_order_relaxed);
+    if (steps.fetch_add(1, std::memory_order_relaxed) + 1 == mostSteps)
+        SayLine();
+}
+
+TimedStep::~TimedStep() {
+    if (m_outermost)
+        inStep = false;
+}
+
+void NotePairs(uint64_t awake, uint64_t touching) {
+    if (steps.load(std::memory_order_relaxed) >= mostSteps)
+        return;
+    passes.fetch_add(1, std::memory_order_relaxed);
+    pairsSeen.fetch_add(awake, std::memory_order_relaxed);
+    touchingPairs.fetch_add(touching, std::memory_order_relaxed);
 }
 
 } // namespace bmr

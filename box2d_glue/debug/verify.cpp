@@ -15,7 +15,7 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "debug/exit_line.h"
+#include "debug/statistics.h"
 #include "glue/contacts/convex_contact.h"
 #include "start/install.h"
 #include "start/settings.h"

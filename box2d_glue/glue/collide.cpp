@@ -12,11 +12,10 @@
 
 #include "base/compiler.h"
 #include "base/rounding_mode.h"
-#include "debug/exit_line.h"
+#include "debug/statistics.h"
 #include "glue/contact_update.h"
 #include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"
-#include "glue/pairs/pair_tables.h"
 #include "glue/proofs/thresholds.h"
 #include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"

@@ -14,7 +14,6 @@
 #include "base/rounding_mode.h"
 #include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"
-#include "glue/pairs/pair_tables.h"
 #include "start/install.h"
 
 /// @file

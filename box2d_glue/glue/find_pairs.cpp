@@ -12,7 +12,6 @@
 #include "debug/verify.h"
 #include "glue/contact_update.h"
 #include "glue/pairs/pair_table.h"
-#include "glue/pairs/pair_tables.h"
 #include "start/settings.h"
 #include "tree/pair_descent.h"
 

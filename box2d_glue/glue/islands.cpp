@@ -11,7 +11,7 @@
 #include "glue/contact_update.h"
 #include "glue/pairs/pair_table.h"
 #include "solver/island_solver.h"
-#include "tree/fixture_boxes.h"
+#include "tree/edit.h"
 
 namespace bmr {
 

@@ -15,7 +15,7 @@
 #include "base/memory.h"
 #include "base/rounding_mode.h"
 #include "boomerang/box2d_glue.h"
-#include "debug/exit_line.h"
+#include "debug/statistics.h"
 #include "debug/verify.h"
 #include "glue/contacts/contact_register.h"
 #include "glue/proofs/hull_pair.h"

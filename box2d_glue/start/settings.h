@@ -111,7 +111,7 @@ inline void CountStep() {
 //
 //     BOOMERANG=on|off|verify    or 1|0, for the first two
 //     BOOMERANG_VERBOSE=0|1
-//     BOOMERANG_STEPS=N          the line at exit is of the first N steps (debug/exit_line.h)
+//     BOOMERANG_STEPS=N          the line at exit is of the first N steps (debug/statistics.h)
 //
 // They win over the options that the program passes. A value that is not understood is ignored, and one line
 // on stderr says so, once for a process. Nothing is read in programs that run with another user's rights

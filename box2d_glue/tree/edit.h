@@ -9,6 +9,10 @@
 #include "base/compiler.h"
 #include "tree/box.h"
 
+class b2Body;
+class b2BroadPhase;
+class b2Fixture;
+
 /// @file
 /// Leaves are put into a b2DynamicTree, taken out and moved as Box2D does it: every field of every node, the
 /// list of free nodes and the tree's own members are left with the same bits.
@@ -353,6 +357,15 @@ inline bool MoveHere(const b2DynamicTree &tree, int32 id, const b2AABB &aabb, co
         MoveLeaf(tree, id, fat);
     return true;
 }
+
+/// b2Fixture::Synchronize: after a step each fixture's box is set anew, around where it was and where it is,
+/// and its leaf of the tree moves if it must. Rounding is to nearest.
+void SynchronizeBoxes(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
+                      const b2Transform &xf2);
+
+/// b2Body::SynchronizeFixtures: the same of all its fixtures, from the beginning of its sweep on if it is
+/// awake. In any rounding.
+void SynchronizeBoxes(b2Body *body);
 
 } // namespace bmr::tree
 

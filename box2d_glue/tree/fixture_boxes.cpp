@@ -2,7 +2,7 @@
 // For polygons and circles both poses are done at once, in registers, in the order of
 // b2PolygonShape::ComputeAABB, and for big ConvexShapes as in theirs; and most leaves, which stay, are
 // recognised here.
-#include "tree/fixture_boxes.h"
+#include "tree/edit.h"
 
 #include <cstring>
 
@@ -18,7 +18,6 @@
 #include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"
-#include "tree/edit.h"
 
 namespace bmr::tree {
 

@@ -11,10 +11,9 @@
 
 #include "base/rounding_mode.h"
 #include "boomerang/box2d_glue.h"
-#include "debug/exit_line.h"
+#include "debug/statistics.h"
 #include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"
-#include "glue/pairs/pair_tables.h"
 #include "glue/passes.h"
 #include "glue/proofs/convex_distance.h"
 #include "hooks/start.h"
@@ -22,7 +21,6 @@
 #include "shapes/big_polygons.h"
 #include "start/settings.h"
 #include "tree/edit.h"
-#include "tree/fixture_boxes.h"
 
 using namespace bmr;
 

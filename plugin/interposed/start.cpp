@@ -15,7 +15,7 @@
 #include <link.h>
 
 #include "boomerang/box2d.h"
-#include "debug/exit_line.h"
+#include "debug/statistics.h"
 #include "interposed/real.h"
 #include "interposed/weak_box2d.h"
 #include "start/install.h"

@@ -4,7 +4,7 @@
 #include "hooks/start.h"
 
 #include "boomerang/box2d.h"
-#include "debug/exit_line.h"
+#include "debug/statistics.h"
 #include "start/install.h"
 
 namespace bmr {

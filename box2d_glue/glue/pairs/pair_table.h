@@ -2,6 +2,7 @@
 #ifndef BOOMERANG_GLUE_PAIR_TABLE_H
 #define BOOMERANG_GLUE_PAIR_TABLE_H
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 
@@ -13,9 +14,7 @@
 #include "base/private_members.h"
 #include "boomerang/budget.h"
 #include "glue/pairs/bodies.h"
-#include "glue/pairs/deferred_enable.h"
 #include "glue/pairs/fixture_motion.h"
-#include "glue/pairs/impact_times.h"
 #include "glue/pairs/proxy_pairs.h"
 #include "glue/pairs/table_cost.h"
 #include "glue/proofs/hull_pair.h"
@@ -62,6 +61,151 @@ enum PairBit : uint8_t {
 struct Pair {
     uint32_t deadline; ///< core/budget: due once the sums of the two fixtures reach it
     uint32_t a, b;     ///< motions of the contact's fixtures A and B
+};
+
+class PairTable;
+
+/// What b2World::SolveTOI notes of the pairs of a table while it works, beside the marks that Box2D makes at
+/// the contacts themselves: e_toiFlag, m_toi, m_toiCount and e_islandFlag are in the contacts, here as there.
+///
+/// A pair whose deadline outlasts the step has a time of impact, which is 1. Its contact is not read, and has
+/// no mark of it: the pair is in `passed`, until Box2D's list is to be walked (PairTable::GiveMarksBack).
+struct ImpactTimes {
+    struct Impact {
+        float time;
+        uint32_t number;
+    };
+
+    BitColumn passed;    ///< its time is known to be 1, though the contact has no e_toiFlag
+    BitColumn marked;    ///< the contact has marks, which the next step takes away
+    BitColumn asked;     ///< its time is not known, and the next search asks for it
+    BitColumn parked;    ///< it was disabled when the search asked
+    Column<Impact> heap; ///< known times below 1, and some that are old
+    uint32_t heapCount = 0;
+    bool areKnown = false; ///< no contact has marks but those of `marked`
+
+    void Reserve(uint32_t count) {
+        for (BitColumn *column : {&passed, &marked, &asked, &parked})
+            column->Reserve(count);
+    }
+    /// A contact that was just made has this number.
+    void Begin(uint32_t i, b2Contact *contact) {
+        for (BitColumn *column : {&passed, &marked, &parked})
+            column->Clear(i);
+        asked.Set(i);
+        ContactAccess::Flags(contact) &= ~ContactAccess::kInIsland;
+        if (areKnown)
+            ContactAccess::TimeOfImpact(contact) = 1.0f; // Box2D's constructor leaves it as it is
+    }
+    void Renumber(uint32_t from, uint32_t to) {
+        for (BitColumn *column : {&passed, &marked, &asked, &parked})
+            column->Renumber(from, to);
+    }
+    bool IsKnown(uint32_t i, b2Contact *contact) const {
+        return passed.Has(i) || (ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) != 0;
+    }
+    void Forget(uint32_t i, b2Contact *contact) {
+        passed.Clear(i);
+        asked.Set(i);
+        ContactAccess::Flags(contact) &= ~ContactAccess::kTimeIsKnown;
+    }
+    /// As b2World::SolveTOI begins with a new step, once the marks are away from the contacts.
+    void ForgetAll() {
+        for (BitColumn *column : {&passed, &marked, &asked, &parked})
+            column->ClearAll();
+        heapCount = 0;
+        areKnown = true;
+    }
+
+    /// The earliest first; of equal ones the newest contact, which is the first in Box2D's list.
+    static bool IsBefore(const Impact &a, const Impact &b) {
+        return a.time < b.time || (a.time == b.time && a.number > b.number);
+    }
+    void Push(uint32_t i, float time) {
+        heap.Reserve(heapCount + 1);
+        uint32_t at = heapCount++;
+        const Impact impact = {time, i};
+        for (; at > 0 && IsBefore(impact, heap[(at - 1) / 2]); at = (at - 1) / 2)
+            heap[at] = heap[(at - 1) / 2];
+        heap[at] = impact;
+    }
+    void Pop() {
+        const Impact last = heap[--heapCount];
+        uint32_t at = 0;
+        for (uint32_t child = 1; child < heapCount; child = 2 * at + 1) {
+            if (child + 1 < heapCount && IsBefore(heap[child + 1], heap[child]))
+                ++child;
+            if (!IsBefore(heap[child], last))
+                break;
+            heap[at] = heap[child];
+            at = child;
+        }
+        if (heapCount > 0)
+            heap[at] = last;
+    }
+};
+
+/// As b2World::SolveTOI begins.
+inline void ClearImpactMarks(b2Contact *contact) {
+    ContactAccess::Flags(contact) &= ~(ContactAccess::kTimeIsKnown | ContactAccess::kInIsland);
+    ContactAccess::CountOfImpacts(contact) = 0;
+    ContactAccess::TimeOfImpact(contact) = 1.0f;
+}
+
+/// Box2D's loop over contacts enables every active contact that it passes. The pass over pairs does not read
+/// most of them. It defers the enabling, and does it before code of the game could see the difference. In
+/// Mode::Verify these contacts are compared with Box2D's own answer as they are enabled.
+class DeferredEnable {
+public:
+    explicit DeferredEnable(const PairTable *table) : m_table(*table) {}
+    void Reserve(uint32_t count) { m_updated.Reserve(count); }
+
+    /// A pass begins: all contacts below this are deferred.
+    void Begin(uint32_t below) {
+        m_below = below;
+        m_updated.ClearAll();
+        m_gameRanBefore = m_gameRan;
+        m_gameRan = false;
+    }
+    /// Numbers change, or Box2D's list enables what is passed: no contact is deferred.
+    void Forget() { m_below = 0; }
+    /// Code of the game runs within the pass, which has come down to `down`, and may ask for other code of
+    /// the game, or end the pass by an exception: none but the contacts from there on were passed.
+    void Flush(uint32_t down) {
+        EnableDownTo(down);
+        m_below = 0;
+    }
+    /// The pass goes on.
+    void Resume(uint32_t below) { m_below = below; }
+    /// The contact is updated: from here on its flags are right.
+    void NoteUpdated(uint32_t i) { m_updated.Set(i); }
+    /// From the newest that is deferred down to `down`.
+    void EnableDownTo(uint32_t down);
+    void EnableIfDeferred(uint32_t i);
+    /// The body fell asleep after the pass: its contacts stay as they are until it wakes, also in the middle
+    /// of a step.
+    void EnableOfSleeper(const b2Body *body);
+    /// The pass over pairs is complete. Code of the game that ran in this step, or since the last pass, may
+    /// have disabled contacts. In Mode::Verify all are enabled.
+    void EndPass();
+
+    /// Code of the game is to be called in a step that has a pass, behind it.
+    void BeforeGame() {
+        EnableDownTo(0);
+        m_gameRan = true;
+    }
+    /// Code of the game runs, or did.
+    void NoteGame() { m_gameRan = true; }
+    /// Did it, since the last pass began? What was read of the world before may then be another by now.
+    bool GameRan() const { return m_gameRan; }
+
+private:
+    bool IsActive(uint32_t i) const;
+
+    const PairTable &m_table;
+    BitColumn m_updated; ///< in the last pass
+    uint32_t m_below = 0;
+    bool m_gameRan = true, m_gameRanBefore = true; ///< since the last pass began; and before, since another
 };
 
 /// The table of a world's pairs: one for each contact, the oldest first. Box2D puts new contacts at the head
@@ -330,6 +474,48 @@ private:
     bool m_interrupted = true;      ///< by steps that went by Box2D's list
     bool m_sweepsCarefully = false; ///< code of the game ran ahead of the search for impacts
 };
+
+// Which world has which table of pairs. Worlds have no room for one, so that it is found by the address of
+// their contact manager. A world gets one when it has contacts enough (CostOfAPass), and loses it when it
+// ends, or has no contact.
+
+namespace internal {
+/// Grows when a table is made or dropped: the table that a thread remembers is good until then. 0: no table
+/// at all.
+extern std::atomic<uint64_t> changesOfPairTables;
+PairTable *FindPairTableOfSome(const b2ContactManager *manager);
+} // namespace internal
+
+/// Has any world had a table? A load and a test, for hooks that games call often.
+inline bool AnyPairTable() {
+    return internal::changesOfPairTables.load(std::memory_order_acquire) != 0;
+}
+
+/// nullptr where it has none, or has left it. A few loads for the world that the thread asked for last. If
+/// the world's memory was put back since the table was signed, the table is dropped here, and none of its
+/// pointers is followed.
+inline PairTable *FindPairTable(const b2ContactManager *manager) {
+    return AnyPairTable() ? internal::FindPairTableOfSome(manager) : nullptr;
+}
+/// Makes it if need be; nullptr where no sign is left, and where the world has left its table.
+PairTable *MakePairTable(b2ContactManager *manager);
+/// For a step that begins: signs it, and makes it for a world of as many contacts as a pass costs. nullptr
+/// also for a step that a game makes inside another one, or as a contact ends.
+PairTable *PairTableForStep(b2ContactManager *manager);
+/// The same as FindPairTable, and gives world and table a new sign: for steps that begin, and for contacts
+/// that end.
+PairTable *FindAndSignPairTable(b2ContactManager *manager);
+/// A world without contacts has no table. It may be another world than before: a game may make a world in the
+/// memory of one whose destructor it never called.
+void DropPairTableOfEmpty(const b2ContactManager *manager);
+/// For a game that breaks Box2D's rules: it steps a world inside of its own callbacks, throws through a step,
+/// or makes and ends contacts unheard. The marks that Box2D's contacts would hold by now are written back,
+/// and the world has no table until its next step begins. (No enabling is deferred any more: contacts were
+/// enabled ahead of the game's code.) Passes that are under way go on by Box2D's list, and are as safe as
+/// Box2D's.
+void LeaveTable(const b2ContactManager *manager);
+/// The world ends, or is to be forgotten. A pass that is under way keeps what it has.
+void DropPairTable(const b2ContactManager *manager);
 
 } // namespace bmr
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "glue/pairs/pair_tables.h"
+#include "glue/pairs/pair_table.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,6 @@
 #include "base/compiler.h"
 #include "base/memory.h"
 #include "base/private_members.h"
-#include "glue/pairs/pair_table.h"
 #include "start/install.h"
 
 namespace bmr {
