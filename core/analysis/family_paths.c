@@ -192,7 +192,8 @@ static bmr_error walk(walker *w, bmr_pose start, walk_step next, const bmr_alloc
         return error;
     const size_t steps = w->plan->steps;
     const bmr_family family = w->plan->family;
-    const bool rigid = family == BMR_FAMILY_RIGID_BROWNIAN || family == BMR_FAMILY_RIGID_WANDER;
+    const bool rigid = family == BMR_FAMILY_RIGID_BROWNIAN || family == BMR_FAMILY_RIGID_WANDER ||
+                       family == BMR_FAMILY_TO_AND_FRO;
     place at = {at_origin, start};
     for (size_t k = 0; k < steps && error == BMR_OK; k++) {
         const place to = next(w, at, k);
