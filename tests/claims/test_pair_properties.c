@@ -105,7 +105,11 @@ static double step_and_check(trial *t, const bmr_pose *q) {
         assert_true(gap == 0.0);
         assert_true(truth <= need + BMR_PAIR_SLOP * t->scale + 1e-6 * need + rounding);
     }
-    assert_int_equal(bmr_pair_audit(&t->pair, &t->def, &t->shape[0], &t->shape[1], q), BMR_OK);
+    const bmr_error audit = bmr_pair_audit(&t->pair, &t->def, &t->shape[0], &t->shape[1], q);
+    if (audit != BMR_OK)
+        fail_msg("%s, %u and %u vertices, level %d, at (%.17g, %.17g; %.17g, %.17g): the audit: %s",
+                 bmr_structure_name(t->def.structure), t->shape[0].polygon->count, t->shape[1].polygon->count,
+                 t->pair.level, q->position.x, q->position.y, q->c, q->s, bmr_error_describe(audit));
     return truth;
 }
 

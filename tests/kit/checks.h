@@ -50,6 +50,7 @@ __attribute__((noreturn, format(printf, 3, 4))) static inline void check_failed(
                                                                                 const char *format, ...) {
     va_list values;
     va_start(values, format);
+    fflush(stdout); // what the test has printed stands above its failure
     fprintf(stderr, "%s:%d: ", file, line);
     vfprintf(stderr, format, values);
     fputc('\n', stderr);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "hierarchies.h"
+#include "kds/structure.h"
 #include "motions.h"
 
 #define TWO_PI 6.283185307179586
@@ -185,8 +186,11 @@ static double contact_reach(const drive *d) {
 
 static void audit(drive *d, const bmr_pose *pose) {
     const bmr_error error = bmr_kds_audit(d->kds, pose);
-    if (error != BMR_OK && d->result->false_audits++ == 0)
+    if (error != BMR_OK && d->result->false_audits++ == 0) {
         d->result->error = error;
+        fprintf(stderr, "%s, %u and %u vertices: the audit at t = %.17g: %s\n", d->kds->info->name,
+                d->a->count, d->b->count, d->time, bmr_error_describe(error));
+    }
     // Another way to the distance than the audit's.
     const double distance = test_distance(d->a, d->b, pose);
     d->result->nearest = fmin(d->result->nearest, distance);

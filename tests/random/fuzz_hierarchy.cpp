@@ -46,6 +46,7 @@ void CheckSizes(const bmr_hierarchy *h) {
     // Points and segments have four lines too, whatever their number.
     const uint32_t depths[] = {2 * log, CeilLog2(2 * n), log};
     const uint32_t counts[] = {std::max(5 * n, 4u), 2 * n + 4, n + 4};
+    static_assert(sizeof depths / sizeof *depths == BMR_HIERARCHY_KIND_COUNT, "each kind has its two bounds");
     const bmr_hierarchy_kind kind = bmr_hierarchy_get_kind(h);
     FUZZ_CHECK(bmr_hierarchy_depth(h) <= depths[kind], "kind %d of %u vertices: depth %u", kind, n,
                bmr_hierarchy_depth(h));
