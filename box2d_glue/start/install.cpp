@@ -45,7 +45,8 @@ const char *refusedWhy = nullptr;
 const char *WhyRoundingIsAnother() {
     if (!Box2DRoundsAsExact32())
         return "this Box2D fuses products (as compilers do for ARM64, and with -march=haswell), or has "
-               "fast-math. Compile it with -ffp-contract=off and without, or use boomerang_accelerate()";
+               "fast-math. Compile it with -ffp-contract=off -mno-fma and without, or use "
+               "boomerang_accelerate()";
     return Box2DCollidesEdgesAsExact32() ? nullptr : "edges collide by other rules in this Box2D";
 }
 

@@ -363,6 +363,29 @@ struct TwoManifolds {
 /// How many probes found no point, one and two.
 using Probed = int[3];
 
+/// Does Box2D round the box of a polygon as its source says? A vectorizer may fuse these products where it
+/// fuses no others (gcc 12 does, even with -ffp-contract=off).
+bool BoxRoundsAsWritten(const b2PolygonShape &polygon, const b2Transform &xf) {
+    volatile float rounded; // one rounding an operation, however this file is compiled
+    const auto round = [&rounded](float value) {
+        rounded = value;
+        return static_cast<float>(rounded);
+    };
+    b2AABB box;
+    polygon.ComputeAABB(&box, xf, 0);
+    b2Vec2 lower(b2_maxFloat, b2_maxFloat), upper(-b2_maxFloat, -b2_maxFloat);
+    for (int32 i = 0; i < polygon.m_count; ++i) {
+        const b2Vec2 v = polygon.m_vertices[i];
+        const float x = round(round(xf.q.c * v.x) - round(xf.q.s * v.y));
+        const float y = round(round(xf.q.s * v.x) + round(xf.q.c * v.y));
+        const b2Vec2 at(round(x + xf.p.x), round(y + xf.p.y));
+        lower = b2Min(lower, at);
+        upper = b2Max(upper, at);
+    }
+    const b2Vec2 r(polygon.m_radius, polygon.m_radius);
+    return box.lowerBound == lower - r && box.upperBound == upper + r;
+}
+
 bool PolygonsAgree(int i, Probed *probed) {
     const TwoPolygons two(i);
     TwoManifolds made;
@@ -371,7 +394,7 @@ bool PolygonsAgree(int i, Probed *probed) {
     bmr_exact32_collide(Manifold32(&made.ours), &a, Transform32(two.xfA), &b, Transform32(two.xfB),
                         two.a.m_radius + two.b.m_radius, 0.1f * b2_linearSlop);
     ++(*probed)[made.box2d.pointCount];
-    return made.AreTheSame();
+    return made.AreTheSame() && BoxRoundsAsWritten(two.a, two.xfA) && BoxRoundsAsWritten(two.b, two.xfB);
 }
 
 /// The i-th of many links with a polygon about one of its ends.

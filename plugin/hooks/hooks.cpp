@@ -112,10 +112,15 @@ void b2Fixture::Synchronize(b2BroadPhase *broadPhase, const b2Transform &xf1, co
 // What ends. A contact's record goes with it, and a world's table with the world.
 
 void b2ContactManager::Destroy(b2Contact *contact) {
-    if (PassesRun(HookOf::Destroy))
-        EndContact(this, contact);
-    else
+    if (!PassesRun(HookOf::Destroy)) {
         stock::Destroy(this, contact);
+        return;
+    }
+    // A pass ends contacts without this hook. So a callback ends this one, perhaps the very one it is called
+    // for.
+    if (contact->GetFixtureA()->GetBody()->GetWorld()->IsLocked())
+        LeaveTable(this);
+    EndContact(this, contact);
 }
 
 void b2World::DestroyBody(b2Body *body) {

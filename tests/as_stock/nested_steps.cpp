@@ -61,6 +61,25 @@ AS_STOCK("own: a listener steps its own world") {
     }
 }
 
+AS_STOCK("ended: a listener ends the very contact that it is called for") {
+    for (const bool early : {true, false}) {
+        Bar game(run);
+        int ended = 0, calls = 0;
+        auto &called = early ? game.listener.begin : game.listener.preSolve;
+        called = [&](b2Contact *contact) {
+            if (++calls % 3 != 0)
+                return;
+            run.BreaksRules();
+            ++ended;
+            const_cast<b2ContactManager &>(game.world.GetContactManager()).Destroy(contact);
+        };
+        for (int i = -12; i < 12; ++i)
+            game.Leaning({4.5f * Real(i), 80.0f});
+        game.Step(20);
+        game.TookPlace(ended, "a contact ends in its own call");
+    }
+}
+
 namespace {
 
 ucontext_t places[2], outside;

@@ -277,6 +277,6 @@ TEST_CASE("a Box2D that rounds otherwise is refused, with a sentence") {
     });
     CHECK(said ==
           "boomerang: not at work, Box2D runs as it is: this Box2D fuses products (as compilers do for "
-          "ARM64, and with -march=haswell), or has fast-math. Compile it with -ffp-contract=off and "
+          "ARM64, and with -march=haswell), or has fast-math. Compile it with -ffp-contract=off -mno-fma and "
           "without, or use boomerang_accelerate()\n\n");
 }
