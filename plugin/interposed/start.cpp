@@ -84,7 +84,7 @@ std::atomic<bool> programHasItsOwn{false};
 constexpr char kStep[] = "_ZN7b2World4StepEfii";
 constexpr char kWorld[] = "_ZN7b2WorldC1ERK6b2Vec2";
 constexpr char kCompiledIn[] = "libboomerang_box2d.so is a second copy here. The Box2D of this "
-                               "process is compiled with Boomerang already";
+                               "process is compiled with Boomerang, or another copy is loaded, too";
 constexpr char kOwnMemory[] =
     "the program defines b2Alloc_Default or b2Free_Default itself, which Box2D's library has, too. "
     "Compile Box2D with the program (boomerang_accelerate)";
