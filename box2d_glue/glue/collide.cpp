@@ -13,7 +13,6 @@
 #include "base/compiler.h"
 #include "base/rounding_mode.h"
 #include "debug/statistics.h"
-#include "glue/contact_update.h"
 #include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/proofs/thresholds.h"

@@ -10,7 +10,7 @@
 
 #include "base/private_members.h"
 #include "debug/verify.h"
-#include "glue/contact_update.h"
+#include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"
 #include "start/settings.h"
 #include "tree/pair_descent.h"

@@ -5,7 +5,7 @@
 #include <box2d/b2_fixture.h>
 
 #include "base/private_members.h"
-#include "glue/contact_update.h"
+#include "glue/contacts/solid_contact.h"
 #include "glue/impacts.h"
 #include "glue/passes.h"
 #include "solver/island_solver.h"

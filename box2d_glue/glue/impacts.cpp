@@ -8,7 +8,6 @@
 #include <box2d/b2_world.h>
 
 #include "base/rounding_mode.h"
-#include "glue/contact_update.h"
 #include "glue/contacts/solid_contact.h"
 #include "glue/proofs/convex_distance.h"
 #include "glue/proofs/sweep_apart.h"

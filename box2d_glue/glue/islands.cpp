@@ -8,7 +8,7 @@
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_joint.h>
 
-#include "glue/contact_update.h"
+#include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"
 #include "solver/island_solver.h"
 #include "tree/edit.h"

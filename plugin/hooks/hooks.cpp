@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The hooks: definitions of Box2D's own functions, ahead of Box2D's (start/hook_list.h). Each hands the call
 // to our passes, or to the function of Box2D's that it stands in front of.
+#include <optional>
+
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
 #include <box2d/b2_distance.h>
@@ -30,34 +32,22 @@ BMR_HOOKS(BMR_SEEN_BY_LOADERS)
 
 // A step: it starts the library if bmr::Install was not called, and marks the thread as stepping this world.
 
-namespace {
-
-void StepAsAsked(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
+void b2World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
+    StartAtFirstStep();
+    std::optional<TimedStep> timed;
+    if (StepsAreTimed() && !IsInTrialStep())
+        timed.emplace();
     if (AnyBigPolygon())
         NoteDrawnByBox2D(nullptr, nullptr); // shapes that were drawn before a step are drawn anew after it
     const bool passesRun = PassesRun(HookOf::Step);
     if (passesRun)
         CountStep();
-    if (passesRun && StepIsOurs(*world))
-        RunStep(world, timeStep, velocityIterations, positionIterations);
+    if (passesRun && StepIsOurs(*this))
+        RunStep(this, timeStep, velocityIterations, positionIterations);
     else
-        stock::Step(world, timeStep, velocityIterations, positionIterations);
-}
-
-BMR_COLD void StepTimed(b2World *world, float timeStep, int32 velocityIterations, int32 positionIterations) {
-    const TimedStep timed;
-    StepAsAsked(world, timeStep, velocityIterations, positionIterations);
-    timed.End();
-}
-
-} // namespace
-
-void b2World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
-    StartAtFirstStep();
-    if (StepsAreTimed() && !IsInTrialStep())
-        StepTimed(this, timeStep, velocityIterations, positionIterations);
-    else
-        StepAsAsked(this, timeStep, velocityIterations, positionIterations);
+        stock::Step(this, timeStep, velocityIterations, positionIterations);
+    if (timed.has_value())
+        timed->End();
 }
 
 // The search for new pairs, and the boxes that it searches: in steps and outside of them, for every caller.
