@@ -310,15 +310,16 @@ inline bool Persists(b2ContactManager *manager, b2Contact *contact, ListCounts *
     if (!BoxesOverlap(*manager, *contact))
         return false;
     b2ContactListener *const listener = manager->m_contactListener;
-    CallListener(listener, contact, UpdateContact(contact), [] {});
+    const ContactChange change = UpdateContact(contact);
+    CallListener(listener, contact, change, [] {}); // which may end it
     ++counts->awake;
-    counts->touching += contact->IsTouching() ? 1 : 0;
+    counts->touching += change.touches ? 1 : 0;
     return true;
 }
 
 /// b2ContactManager::Collide by Box2D's list, contact by contact, from this one on. As in Box2D, a filter
-/// that breaks the rules may have destroyed the contact that it was asked about: its memory says which one is
-/// next.
+/// or a listener that breaks the rules may have destroyed the contact that it was asked about: its memory
+/// says which one is next.
 ListCounts CollideByList(b2ContactManager *manager, b2Contact *contact) {
     ListCounts counts;
     while (contact != nullptr) {
@@ -463,7 +464,7 @@ void CollidePass::Update(uint32_t i, b2Contact *contact) {
     if (CallListener(listener, contact, change, [this] { BeforeGame(); }))
         AfterGame();
     if (m_table->WasLeft()) {
-        m_next = contact->GetNext();
+        m_next = contact->*Named(NextContact()); // it may have ended
         return;
     }
     if (sensor != nullptr)
