@@ -140,7 +140,7 @@ void bmr_convex32_box(const bmr_convex32 *polygon, const bmr_transform32 *pose, 
 /// Box2D's ray cast goes through the edges in order, and keeps the part of the segment that is inside all
 /// so far. Floats decide wrongly only of edges that rounding can move onto the ends of that part. So: move
 /// all edges outward by `noise`, which is more than any rounding. The part of the segment inside of that
-/// larger polygon, from `lower` to `upper`, can be relied on: whatever the order of the edges, the loop over
+/// larger polygon, from `lower` to `upper`, can be relied on: in every order of the edges the loop over
 /// all of them ends with nothing outside of it. An edge that is more than the noise away from the line's
 /// places at both `lower` and `upper` is without effect, since what it says is nowhere between. The others
 /// are asked in the order of the loop, and answer as in the loop, ties and rounding included.

@@ -70,7 +70,7 @@ bmr_simplex bmr_simplex_make(uint32_t a, uint32_t b) {
 //
 // So one or two looks leave an arc of at most a right angle that holds u, and one chain of each polygon's
 // edges whose normals are in it. The middle edges of both chains then decide about half of one of them,
-// though nobody knows q at A's middle normal, nor p at B's: see `halve`.
+// though the search has neither q at A's middle normal nor p at B's: see `halve`.
 
 /// An arc of less than this (radians) has no edge's normal in it that rounding could tell from its ends.
 #define LEAST_ARC 1e-14

@@ -71,7 +71,7 @@ bmr_vec2 bmr_mixed_corner(const bmr_mixed *mixed, int body, bmr_edge before, bmr
                 bmr_hierarchy_line(h, after).normal);
 }
 
-/// The point of a corner of one body plus that of a corner of the other: the same bits whoever asks.
+/// The point of a corner of one body plus that of a corner of the other: the same bits for every caller.
 static bmr_vec2 sum(const bmr_mixed *mixed, int body, bmr_edge before, bmr_edge after, bmr_edge other_before,
                     bmr_edge other_after) {
     const bmr_vec2 p = bmr_mixed_corner(mixed, body, before, after);

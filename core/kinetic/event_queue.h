@@ -14,7 +14,7 @@
 /// A queue of events: a binary heap of items, each with one time, the earliest on top. An item stands in it
 /// only while it has a time.
 
-/// The first member of whatever has a time.
+/// The first member of a structure that the queue holds: a pair, or a body.
 typedef struct bmr_event_item {
     size_t place; ///< in the heap; BMR_NOT_QUEUED
 } bmr_event_item;

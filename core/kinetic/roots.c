@@ -324,7 +324,7 @@ bmr_error bmr_polynomial_first_root(const double *coefficients, size_t degree, d
     double first = is_zero(at_high) ? high : INFINITY;
     for (size_t i = 0; i < count; ++i)
         first = consider(&p, roots[2 * i], low, high, first);
-    // Different signs at the ends are a proof; whatever the solver says, there is a root.
+    // Different signs at the ends prove a root, also where the solver reports none.
     if (first > high && (at_low.value > 0.0) != (at_high.value > 0.0))
         first = bisect(&p, low, high);
     *root = first > high ? INFINITY : ldexp(first, p.exponent);
