@@ -14,7 +14,8 @@ uint32_t bmr_ceil_log2(uint32_t n) {
     return k;
 }
 
-uint32_t bmr_items_of_edges(const bmr_polygon *polygon, bmr_item *items) {
+/// The polygon's own edges, in its order: none for a point.
+static uint32_t items_of_edges(const bmr_polygon *polygon, bmr_item *items) {
     if (polygon->count == 1)
         return 0;
     for (uint32_t i = 0; i < polygon->count; ++i) {
@@ -297,18 +298,23 @@ void bmr_hierarchy_destroy(bmr_hierarchy *hierarchy, const bmr_allocator *alloca
         bmr_release(allocator, hierarchy, bmr_hierarchy_bytes(hierarchy));
 }
 
+bmr_error bmr_build_of_edges(bmr_build build, const bmr_allocator *allocator, bmr_hierarchy **hierarchy) {
+    const size_t size = build.polygon->count * sizeof(bmr_item);
+    bmr_item *items = bmr_allocate(allocator, size);
+    if (!items)
+        return BMR_ERROR_NO_MEMORY;
+    build.items = items;
+    build.item_count = items_of_edges(build.polygon, items);
+    bmr_items_start_at_east(items, build.item_count);
+    const bmr_error error = bmr_build_tree(&build, allocator, hierarchy);
+    bmr_release(allocator, items, size);
+    return error;
+}
+
 bmr_error bmr_hierarchy_build_dobkin_kirkpatrick(const bmr_polygon *polygon, const bmr_allocator *allocator,
                                                  bmr_hierarchy **hierarchy) {
     if (!polygon || !hierarchy)
         return BMR_ERROR_NULL_ARGUMENT;
-    const size_t size = polygon->count * sizeof(bmr_item);
-    bmr_item *items = bmr_allocate(allocator, size);
-    if (!items)
-        return BMR_ERROR_NO_MEMORY;
-    const uint32_t count = bmr_items_of_edges(polygon, items);
-    bmr_items_start_at_east(items, count);
-    const bmr_build build = {polygon, BMR_HIERARCHY_DOBKIN_KIRKPATRICK, items, count, NULL, 0, 0};
-    const bmr_error error = bmr_build_tree(&build, allocator, hierarchy);
-    bmr_release(allocator, items, size);
-    return error;
+    const bmr_build build = {polygon, BMR_HIERARCHY_DOBKIN_KIRKPATRICK, NULL, 0, NULL, 0, 0};
+    return bmr_build_of_edges(build, allocator, hierarchy);
 }

@@ -38,14 +38,13 @@ typedef struct bmr_build {
 /// The most edges, the roots left out, that a tree over so many items has.
 size_t bmr_most_cuts(size_t items, uint32_t compass_levels, uint32_t corner_levels);
 
-/// The polygon's own edges as items, in the polygon's order: polygon->count of them, none for a point.
-uint32_t bmr_items_of_edges(const bmr_polygon *polygon, bmr_item *items);
-
 /// Turns a list that is in counter-clockwise order into one that starts at direction E.
 void bmr_items_start_at_east(bmr_item *items, uint32_t count);
 
 /// The hierarchy's one block. The median's levels take O(items), the compass's O(items + nodes log items).
 bmr_error bmr_build_tree(const bmr_build *build, const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
+/// The same over the polygon's own edges: `build` comes without items.
+bmr_error bmr_build_of_edges(bmr_build build, const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
 
 /// The depth that the hierarchy's kind promises. A quadrant never holds all edges, so a balanced tree of them
 /// is no deeper than their logarithm.

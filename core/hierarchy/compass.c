@@ -78,14 +78,6 @@ bmr_error bmr_hierarchy_build_compass_with_corners(const bmr_polygon *polygon, c
                    levels = needed > corner_levels ? needed : corner_levels;
     if (compass->levels < levels)
         return BMR_ERROR_TABLE_TOO_SMALL;
-    const size_t size = polygon->count * sizeof(bmr_item);
-    bmr_item *items = bmr_allocate(allocator, size);
-    if (!items)
-        return BMR_ERROR_NO_MEMORY;
-    const uint32_t count = bmr_items_of_edges(polygon, items);
-    bmr_items_start_at_east(items, count);
-    const bmr_build build = {polygon, BMR_HIERARCHY_COMPASS, items, count, compass, levels, corner_levels};
-    const bmr_error error = bmr_build_tree(&build, allocator, hierarchy);
-    bmr_release(allocator, items, size);
-    return error;
+    const bmr_build build = {polygon, BMR_HIERARCHY_COMPASS, NULL, 0, compass, levels, corner_levels};
+    return bmr_build_of_edges(build, allocator, hierarchy);
 }
