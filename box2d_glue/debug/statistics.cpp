@@ -70,7 +70,7 @@ Statistics GetStatistics() {
     Statistics s;
     s.steps = counted.steps;
     s.pairs = counted.pairs;
-    s.looks = counted.looks;
+    s.updates = counted.updates;
     s.renewals = counted.renewals;
     std::copy(std::begin(counted.events), std::end(counted.events), s.events);
     s.verified = counted.verified;

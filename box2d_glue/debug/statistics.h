@@ -29,7 +29,7 @@ template <typename Number> struct CountsOf {
     Number toiAnswered{0};        ///< times of impact that a step asked for, answered without Box2D
     Number overlapsAnswered{0};   ///< overlaps of sensors, answered without Box2D
     Number pairs{0};              ///< contacts of awake bodies, summed over the steps of worlds with a table
-    Number looks{0};              ///< of the pairs, the ones whose contact or geometry was read
+    Number updates{0};            ///< of the pairs, the ones whose contact or geometry was read
     Number renewals{0};           ///< of the pairs, the ones that their own line renewed
     Number verified{0};           ///< answers compared with Box2D's (Mode::Verify)
     Number differences{0};        ///< of those, the ones that differed
@@ -54,7 +54,7 @@ template <typename Visit, typename... Some> void VisitCounts(const Visit &visit,
     visit("toi_answered", of.toiAnswered...);
     visit("overlaps_answered", of.overlapsAnswered...);
     visit("pairs", of.pairs...);
-    visit("looks", of.looks...);
+    visit("updates", of.updates...);
     visit("renewals", of.renewals...);
     visit("verified", of.verified...);
     visit("differences", of.differences...);

@@ -454,7 +454,7 @@ void CollidePass::Wake(const b2Body *body, uint32_t i) {
 void CollidePass::Update(uint32_t i, b2Contact *contact) {
     FixtureMotions &motions = m_table->motions;
     const Pair pair = m_table->At(i);
-    Count(&Counts::looks);
+    Count(&Counts::updates);
     ++m_updates;
     m_table->deferred.NoteUpdated(i);
     SolidContact *const sensor = SensorWithEvents(contact);

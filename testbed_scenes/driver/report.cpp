@@ -70,10 +70,10 @@ Number SavedTests(const SceneResult &result) {
     const Number stock = NumberAt(result.stockCount, "/polygon_tests_apart"),
                  proved = NumberAt(result.pluginCount, "/plugin/proved_apart"),
                  pairs = NumberAt(result.pluginCount, "/plugin/pairs"),
-                 looks = NumberAt(result.pluginCount, "/plugin/looks");
+                 updates = NumberAt(result.pluginCount, "/plugin/updates");
     if (!stock || !proved)
         return std::nullopt;
-    return std::min(*proved + (pairs && looks ? *pairs - *looks : 0.0), *stock);
+    return std::min(*proved + (pairs && updates ? *pairs - *updates : 0.0), *stock);
 }
 
 using Times = std::vector<nlohmann::json> SceneResult::*;
@@ -185,13 +185,13 @@ SceneTable TestTable() {
 
 SceneTable BudgetTable() {
     return {
-        "How kinetic the world is: pairs and who was looked at, per step",
+        "How kinetic the world is: pairs and which were updated, per step",
         {
             {"budgets of motion", "pairs", PerStep(kPluginCount, "plugin/pairs"), 1},
             {"budgets of motion", "renewed", PerStep(kPluginCount, "plugin/renewals"), 1},
-            {"budgets of motion", "looks", PerStep(kPluginCount, "plugin/looks"), 1},
-            {"budgets of motion", "% looks",
-             Percent(Sum(kPluginCount, {"plugin/looks"}), Sum(kPluginCount, {"plugin/pairs"})), 1},
+            {"budgets of motion", "updates", PerStep(kPluginCount, "plugin/updates"), 1},
+            {"budgets of motion", "% updates",
+             Percent(Sum(kPluginCount, {"plugin/updates"}), Sum(kPluginCount, {"plugin/pairs"})), 1},
             {"of certificates", "events", PerStep(Sum(kPluginCount, EventNames())), 2},
             {"of certificates", "% events",
              Percent(Sum(kPluginCount, EventNames()), Sum(kPluginCount, {"plugin/pairs"})), 2},
@@ -199,7 +199,7 @@ SceneTable BudgetTable() {
         {
             "pairs: contacts of bodies that are awake; renewed: by their own line, whose shapes and contact "
             "nobody read",
-            "looks: whose contact or shapes were read; of all others nothing but a deadline was",
+            "updates: whose contact or shapes were read; of all others nothing but a deadline was",
             "events: certificates made, replaced and given up; %: of the pairs",
         }};
 }
@@ -238,9 +238,9 @@ SceneTable ModeTable() {
                 {"stock Box2D", "b2Distance", PerStep(kStockCount, "distance_calls"), 1},
                 {"a line a contact", "pairs", PerStep(kLinesCount, "plugin/pairs"), 1},
                 {"a line a contact", "renewed", PerStep(kLinesCount, "plugin/renewals"), 1},
-                {"a line a contact", "looks", PerStep(kLinesCount, "plugin/looks"), 1},
+                {"a line a contact", "updates", PerStep(kLinesCount, "plugin/updates"), 1},
                 {"a line a contact", "events", PerStep(Sum(kLinesCount, EventNames())), 2},
-                {"a structure a pair of bodies", "looks", PerStep(kPluginCount, "plugin/looks"), 1},
+                {"a structure a pair of bodies", "updates", PerStep(kPluginCount, "plugin/updates"), 1},
                 {"a structure a pair of bodies", "checks", PerStep(kPluginCount, "plugin/hull_checks"), 1},
                 {"a structure a pair of bodies", "events", PerStep(Sum(kPluginCount, EventNames())), 2},
                 {"a structure a pair of bodies", "exact", PerStep(kPluginCount, "plugin/handed_over"), 1},

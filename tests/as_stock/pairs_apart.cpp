@@ -11,7 +11,7 @@ using namespace as_stock;
 namespace {
 
 struct Looks {
-    uint64_t watched, looks, renewals, impacts;
+    uint64_t watched, updates, renewals, impacts;
 };
 
 /// What the pairs of the game's world cost while `something` is done.
@@ -19,12 +19,12 @@ Looks Spent(const std::function<void()> &something) {
     const bmr::Counted before = bmr::internal::ReadCounts();
     something();
     const bmr::Counted after = bmr::internal::ReadCounts();
-    return {after.pairs - before.pairs, after.looks - before.looks, after.renewals - before.renewals,
+    return {after.pairs - before.pairs, after.updates - before.updates, after.renewals - before.renewals,
             after.toiAnswered - before.toiAnswered};
 }
 
 /// Slanted needles one beside the other, whose boxes overlap and who never meet: each glides along itself,
-/// all at the same speed, or rests. No body pushes the first one, so that Box2D looks for impacts.
+/// all at the same speed, or rests. No body pushes the first one, so that Box2D updates for impacts.
 class Needles {
 public:
     static constexpr int kCount = 12;
@@ -42,12 +42,12 @@ public:
     }
     static b2Vec2 PlaceOf(int i) { return Slanted(0.0f, 0.3f * Real(i)); }
 
-    /// In so many steps nobody looks at more than one in `most` of the pairs.
+    /// In so many steps nobody updates at more than one in `most` of the pairs.
     void ExpectQuiet(int steps, uint64_t most) {
         const Looks spent = Spent([&] { game.Step(steps); });
-        m_run.ExpectCounted(spent.watched > 100 && spent.looks * most <= spent.watched &&
+        m_run.ExpectCounted(spent.watched > 100 && spent.updates * most <= spent.watched &&
                                 spent.impacts * most <= spent.watched,
-                            "looks are spared, and times of impact");
+                            "updates are spared, and times of impact");
     }
     /// The pairs of one needle, and they alone, are looked at after this.
     void ExpectLooks(const std::function<void(b2Body *)> &change, const char *what) {
@@ -59,7 +59,8 @@ public:
         uint64_t pairs = 0;
         for (const b2ContactEdge *edge = needle->GetContactList(); edge != nullptr; edge = edge->next)
             ++pairs;
-        m_run.ExpectCounted(spent.looks + spent.renewals > 0 && spent.looks + spent.renewals <= pairs, what);
+        m_run.ExpectCounted(spent.updates + spent.renewals > 0 && spent.updates + spent.renewals <= pairs,
+                            what);
         game.Step(40); // until proofs that were put off are sought again
     }
 
@@ -77,7 +78,7 @@ AS_STOCK("a pair that stays apart is not looked at") {
     Needles(run, 0.2f).ExpectQuiet(60, 5);
 }
 
-AS_STOCK("looks are resumed after each kind of change, at the pairs that it concerns") {
+AS_STOCK("updates are resumed after each kind of change, at the pairs that it concerns") {
     Needles world(run);
     world.game.Step(40);
     world.ExpectQuiet(10, 50);
@@ -114,7 +115,7 @@ AS_STOCK("bodies that wake are looked at, those that fall asleep no more") {
     world.game.Step(60);
     world.game.Stage(!world.needles[0]->IsAwake(), "all sleep");
     const Looks asleep = Spent([&] { world.game.Step(20); });
-    run.ExpectCounted(asleep.looks == 0, "nobody looks at sleeping pairs");
+    run.ExpectCounted(asleep.updates == 0, "nobody updates at sleeping pairs");
     for (int i = 2; i < 8; i += 3) {
         world.needles[static_cast<size_t>(i)]->SetAwake(true);
         world.needles[static_cast<size_t>(i)]->SetLinearVelocity(Slanted(0.0f, 1.0f));
@@ -329,7 +330,7 @@ TEST_CASE("more than 65,536 fixtures, each with a pair of its own") {
                     movers[i]->SetTransform(movers[i]->GetPosition() - b2Vec2(0.07f, 0.0f), 0.0f);
             const Looks spent = Spent([&] { world.Step(1.0f / 60.0f, 1, 1); });
             if (run.Counts() && step > 1)
-                run.Expect(spent.watched == kCouples && spent.looks <= 20, "looks are spared");
+                run.Expect(spent.watched == kCouples && spent.updates <= 20, "updates are spared");
             print();
         }
     };

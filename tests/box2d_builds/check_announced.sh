@@ -80,7 +80,7 @@ for variant in $(there static hidden regrouped); do
     says "$variant" ahead "$inside"
 done
 for variant in "${accelerated[@]}"; do
-    says "$variant" accelerated 'on; compiled with Box2D 2\.4\.1$' steps evaluations looks touching_answered
+    says "$variant" accelerated 'on; compiled with Box2D 2\.4\.1$' steps evaluations updates touching_answered
 done
 # Control: what is said of one Box2D is not said of another.
 before=$failed

@@ -109,7 +109,7 @@ BMR_BOX2D_API Presence GetPresence();
 struct Statistics {
     uint64_t steps = 0;    ///< calls of b2World::Step (seen by the shared library alone)
     uint64_t pairs = 0;    ///< contacts of awake bodies, summed over the steps of worlds that are ours
-    uint64_t looks = 0;    ///< of `pairs`, those whose contact or geometry was read
+    uint64_t updates = 0;  ///< of `pairs`, those whose contact or geometry was read
     uint64_t renewals = 0; ///< of `pairs`, those that their line gave a new deadline, without reading them
     uint64_t events[BMR_EVENT_KIND_COUNT] = {}; ///< of all pairs, by kind (Options::onEvent)
     uint64_t verified = 0;                      ///< answers compared with Box2D's (Mode::Verify)
