@@ -293,7 +293,7 @@ static bmr_error safe_failure(const bmr_condition *condition, const bmr_motion_p
 #define NUDGES 10
 
 bmr_failure_options bmr_default_failure_options(void) {
-    const bmr_failure_options options = {BMR_ROOT_BERNSTEIN, DEFAULT_TOLERANCE};
+    const bmr_failure_options options = {DEFAULT_TOLERANCE};
     return options;
 }
 
@@ -337,23 +337,14 @@ static bool stays_flat(const bmr_condition *condition, const bmr_motion_piece *o
 }
 
 /// The first root of the coefficients from `zeros` on: dividing by u^zeros leaves the sign, and takes away
-/// the root at the beginning.
-static bmr_error first_root(const bmr_condition_polynomial *p, size_t zeros,
-                            const bmr_failure_options *options, double tolerance, double *u) {
-    const double *c = p->c + zeros, part = tolerance / p->width;
+/// the root at the beginning. INFINITY: there is none.
+static double first_root(const bmr_condition_polynomial *p, size_t zeros, double tolerance) {
+    const double *c = p->c + zeros;
     size_t degree = p->degree - zeros;
     while (degree > 0 && fabs(c[degree]) <= NEGLIGIBLE_PART * p->noise)
         degree--;
-    *u = INFINITY;
-    if (options->method == BMR_ROOT_BERNSTEIN) {
-        if (!bmr_bernstein_first_root(c, degree, p->noise, part, u))
-            *u = INFINITY;
-        return BMR_OK;
-    }
-    const bmr_error error = bmr_polynomial_first_root(c, degree, 0.0, 1.0, u);
-    // GSL's root is on either side of the true one.
-    *u = fmax(0.0, *u - 0.5 * part);
-    return error;
+    double u;
+    return bmr_bernstein_first_root(c, degree, p->noise, tolerance / p->width, &u) ? u : INFINITY;
 }
 
 /// from + u width, rounded towards `from`.
@@ -365,7 +356,7 @@ static double at_part(double from, double u, double width) {
 /// The first failure in [from, to] on two algebraic pieces, from interval to interval.
 static bmr_error algebraic_failure(const bmr_condition *condition, const bmr_motion_piece *owner,
                                    const bmr_motion_piece *other, double from, double to, bool fresh,
-                                   const bmr_failure_options *options, double tolerance, double *time) {
+                                   double tolerance, double *time) {
     *time = INFINITY;
     for (size_t steps = 0; from < to; steps++) {
         if (steps == BMR_FAILURE_MAX_INTERVALS)
@@ -379,8 +370,8 @@ static bmr_error algebraic_failure(const bmr_condition *condition, const bmr_mot
         if (start == BELOW && fresh) {
             const double grace = bmr_start_grace(from, tolerance);
             if (from + grace < to && horner(&p, fmin(1.0, grace / p.width)) > -BMR_START_NOISES * p.noise) {
-                const bmr_error error = algebraic_failure(condition, owner, other, from + grace, to, false,
-                                                          options, tolerance, time);
+                const bmr_error error =
+                    algebraic_failure(condition, owner, other, from + grace, to, false, tolerance, time);
                 // Still failing where it was to be positive: it never grew.
                 if (error == BMR_OK && *time <= from + grace)
                     *time = from;
@@ -392,10 +383,7 @@ static bmr_error algebraic_failure(const bmr_condition *condition, const bmr_mot
             *time = from;
             return BMR_OK;
         }
-        double u = INFINITY;
-        const bmr_error error = start == FLAT ? BMR_OK : first_root(&p, zeros, options, tolerance, &u);
-        if (error != BMR_OK)
-            return error;
+        const double u = start == FLAT ? INFINITY : first_root(&p, zeros, tolerance);
         if (u <= 1.0) {
             *time = fmin(at_part(from, u, p.width), to); // the width is rounded too
             return BMR_OK;
@@ -420,7 +408,7 @@ bmr_error bmr_failure_time(const bmr_condition *condition, const bmr_motion *a, 
     if (!condition_finite(condition) || !isfinite(after) || !isfinite(until) || !isfinite(options->tolerance))
         return BMR_ERROR_NOT_FINITE;
     if (condition->kind >= BMR_CONDITION_KIND_COUNT || condition->owner > 1 || after > until ||
-        !(options->tolerance > 0.0) || (unsigned)options->method > BMR_ROOT_GSL)
+        !(options->tolerance > 0.0))
         return BMR_ERROR_OUT_OF_RANGE;
     double first = INFINITY;
     // No distance is below zero.
@@ -434,10 +422,9 @@ bmr_error bmr_failure_time(const bmr_condition *condition, const bmr_motion *a, 
         const double to = fmin(until, fmin(own_end, other_end));
         const double tolerance = options->tolerance * fmax(1.0, fabs(from));
         const bool fresh = from == after;
-        const bmr_error error =
-            bmr_piece_is_algebraic(p) && bmr_piece_is_algebraic(q)
-                ? algebraic_failure(condition, p, q, from, to, fresh, options, tolerance, &first)
-                : safe_failure(condition, p, q, from, to, fresh, tolerance, &first);
+        const bmr_error error = bmr_piece_is_algebraic(p) && bmr_piece_is_algebraic(q)
+                                    ? algebraic_failure(condition, p, q, from, to, fresh, tolerance, &first)
+                                    : safe_failure(condition, p, q, from, to, fresh, tolerance, &first);
         if (error != BMR_OK)
             return error;
         from = to;

@@ -64,9 +64,8 @@ static bmr_error check_def(const bmr_world_def *def) {
         if (!isfinite(numbers[i]))
             return BMR_ERROR_NOT_FINITE;
     const bool makes_sense =
-        def->failure.tolerance > 0.0 && (unsigned)def->failure.method <= BMR_ROOT_GSL &&
-        LEAST_STEP_PART * def->contact_step >= def->failure.tolerance && def->zeno_speed > 0.0 &&
-        def->response.restitution >= 0.0 && def->response.restitution <= 1.0 &&
+        def->failure.tolerance > 0.0 && LEAST_STEP_PART * def->contact_step >= def->failure.tolerance &&
+        def->zeno_speed > 0.0 && def->response.restitution >= 0.0 && def->response.restitution <= 1.0 &&
         (unsigned)def->response.kind < BMR_RESPONSE_KIND_COUNT && (unsigned)def->zeno <= BMR_ZENO_ELASTIC &&
         (unsigned)def->boundary <= BMR_PERIODIC && def->kds.margin > 0.0 && def->kds.hysteresis >= 0.0 &&
         def->structure->domain == BMR_KDS_RIGID;

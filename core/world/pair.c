@@ -141,8 +141,7 @@ static bmr_error find_event(bmr_world *w, bmr_body_pair *c, const bmr_pair_motio
     bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
     const size_t count = bmr_kds_conditions(n->kds, conditions);
     w->counts.failure_times += count;
-    const bmr_failure_options options = {w->def.failure.method,
-                                         tolerance(w, n, from) / fmax(1.0, fabs(from))};
+    const bmr_failure_options options = {tolerance(w, n, from) / fmax(1.0, fabs(from))};
     const bmr_error error =
         bmr_first_failure(conditions, count, motion->a, motion->b, from, to, &options, time, &n->failing);
     if (error == BMR_OK && *time < INFINITY)

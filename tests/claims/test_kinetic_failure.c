@@ -23,22 +23,21 @@ static void drop(void) {
     still = moving = NULL;
 }
 
-static double failure_of(const bmr_condition *k, double after, double until, bmr_root_method method) {
-    bmr_failure_options options = bmr_default_failure_options();
-    options.method = method;
+static double failure_of(const bmr_condition *k, double after, double until) {
+    const bmr_failure_options options = bmr_default_failure_options();
     double time = -1.0;
     assert_int_equal(bmr_failure_time(k, still, moving, after, until, &options, &time), BMR_OK);
     return time;
 }
 
 /// When x(t) = sum c[k] (t - AFTER)^k first fails, looked for from AFTER on.
-static double failure_of_polynomial(const double *c, size_t degree, double until, bmr_root_method method) {
+static double failure_of_polynomial(const double *c, size_t degree, double until) {
     bmr_algebraic_piece path = {.degree = degree};
     memcpy(path.x, c, (degree + 1) * sizeof *c);
     still = made_motion(bmr_piece_rest(bmr_pose_identity()));
     moving = made_motion(test_algebraic(AFTER, path));
     const bmr_condition k = bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 0.0, bmr_vec2_make(0.0, 0.0), 0);
-    const double time = failure_of(&k, AFTER, until, method);
+    const double time = failure_of(&k, AFTER, until);
     drop();
     return time;
 }
@@ -74,45 +73,41 @@ TEST(what_is_zero_at_the_beginning_is_judged_by_where_it_goes) {
         {{0.0, -1e-7}, 0.0},               //
         {{1e-12, -1e-7}, 1e-5},            //
     };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        for (int method = 0; method <= BMR_ROOT_GSL; method++) {
-            const double time = failure_of_polynomial(cases[i].c, 4, AFTER + 10.0, (bmr_root_method)method);
-            const double expected = AFTER + cases[i].time;
-            const bool good = isinf(expected) ? isinf(time) : fabs(time - expected) < 2e-8 && time >= AFTER;
-            if (!good)
-                printf("case %zu method %d: %.17g\n", i, method, time - AFTER);
-            assert_true(good);
-        }
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const double time = failure_of_polynomial(cases[i].c, 4, AFTER + 10.0);
+        const double expected = AFTER + cases[i].time;
+        const bool good = isinf(expected) ? isinf(time) : fabs(time - expected) < 2e-8 && time >= AFTER;
+        if (!good)
+            printf("case %zu: %.17g\n", i, time - AFTER);
+        assert_true(good);
+    }
 }
 
 /// What is zero up to rounding when the grace of a start is over has grown; what is clearly below has not.
 TEST(a_start_below_zero_has_grown_where_its_grace_ends_at_zero) {
     const double grace = bmr_start_grace(AFTER, bmr_default_failure_options().tolerance * AFTER);
-    for (int method = 0; method <= BMR_ROOT_GSL; method++) {
-        const double grown[] = {-grace, 1.0}, below[] = {-1.1 * grace, 1.0};
-        assert_true(isinf(failure_of_polynomial(grown, 1, AFTER + 10.0, (bmr_root_method)method)));
-        assert_true(failure_of_polynomial(below, 1, AFTER + 10.0, (bmr_root_method)method) == AFTER);
-    }
+    const double grown[] = {-grace, 1.0}, below[] = {-1.1 * grace, 1.0};
+    assert_true(isinf(failure_of_polynomial(grown, 1, AFTER + 10.0)));
+    assert_true(failure_of_polynomial(below, 1, AFTER + 10.0) == AFTER);
 }
 
 /// A rounding of a thousand below zero, and so slow that no few tolerances of time lead out of it.
 TEST(rounding_below_zero_is_zero) {
     for (int spinning = 0; spinning < 2; spinning++)
-        for (int method = 0; method <= BMR_ROOT_GSL; method++)
-            for (int sign = -1; sign <= 1; sign += 2) {
-                const bmr_pose pose = {{nextafter(1000.0, 0.0), 0.0}, 1.0, 0.0};
-                still = made_motion(bmr_piece_rest(bmr_pose_identity()));
-                moving = made_motion(
-                    bmr_piece_screw(AFTER, pose, bmr_vec2_make(1e-7 * sign, 0.0), (double)spinning));
-                bmr_condition k =
-                    bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 1000.0, bmr_vec2_make(0.0, 0.0), 0);
-                const double time = failure_of(&k, AFTER, AFTER + 9.0, (bmr_root_method)method);
-                assert_true(sign > 0 ? isinf(time) : time == AFTER);
-                // The control: a millionth below is more than rounding.
-                k.offset += 1e-6;
-                assert_true(failure_of(&k, AFTER, AFTER + 9.0, (bmr_root_method)method) == AFTER);
-                drop();
-            }
+        for (int sign = -1; sign <= 1; sign += 2) {
+            const bmr_pose pose = {{nextafter(1000.0, 0.0), 0.0}, 1.0, 0.0};
+            still = made_motion(bmr_piece_rest(bmr_pose_identity()));
+            moving =
+                made_motion(bmr_piece_screw(AFTER, pose, bmr_vec2_make(1e-7 * sign, 0.0), (double)spinning));
+            bmr_condition k =
+                bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 1000.0, bmr_vec2_make(0.0, 0.0), 0);
+            const double time = failure_of(&k, AFTER, AFTER + 9.0);
+            assert_true(sign > 0 ? isinf(time) : time == AFTER);
+            // The control: a millionth below is more than rounding.
+            k.offset += 1e-6;
+            assert_true(failure_of(&k, AFTER, AFTER + 9.0) == AFTER);
+            drop();
+        }
 }
 
 /// The product of (t - shift - k/8), k = 1 .. 8, in powers of t.
@@ -129,29 +124,26 @@ static bmr_motion_piece eight_roots(double origin, double shift) {
 TEST(eight_roots_are_eight_events) {
     bmr_failure_options options = bmr_default_failure_options();
     options.tolerance = 1e-11;
-    for (int far = 0; far < 2; far++)
-        for (int method = 0; method <= BMR_ROOT_GSL; method++) {
-            still = made_motion(bmr_piece_rest(bmr_pose_identity()));
-            moving = made_motion(far ? eight_roots(0.0, 100.0) : eight_roots(100.0, 0.0));
-            bmr_condition k =
-                bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 0.0, bmr_vec2_make(0.0, 0.0), 0);
-            options.method = (bmr_root_method)method;
-            size_t events = 0;
-            double time = 99.0;
-            for (; events < 9; events++) {
-                double next;
-                assert_int_equal(bmr_failure_time(&k, still, moving, time, 110.0, &options, &next), BMR_OK);
-                if (isinf(next))
-                    break;
-                time = next;
-                k.normal = bmr_neg(k.normal);
-                // Around a far origin all digits of the value are lost before the first root: enough to know
-                // that no call hangs.
-                assert_true(far || fabs(time - 100.0 - (double)(events + 1) / 8.0) < 1e-8);
-            }
-            assert_true(far || events == 8);
-            drop();
+    for (int far = 0; far < 2; far++) {
+        still = made_motion(bmr_piece_rest(bmr_pose_identity()));
+        moving = made_motion(far ? eight_roots(0.0, 100.0) : eight_roots(100.0, 0.0));
+        bmr_condition k = bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), 0.0, bmr_vec2_make(0.0, 0.0), 0);
+        size_t events = 0;
+        double time = 99.0;
+        for (; events < 9; events++) {
+            double next;
+            assert_int_equal(bmr_failure_time(&k, still, moving, time, 110.0, &options, &next), BMR_OK);
+            if (isinf(next))
+                break;
+            time = next;
+            k.normal = bmr_neg(k.normal);
+            // Around a far origin all digits of the value are lost before the first root: enough to know
+            // that no call hangs.
+            assert_true(far || fabs(time - 100.0 - (double)(events + 1) / 8.0) < 1e-8);
         }
+        assert_true(far || events == 8);
+        drop();
+    }
 }
 
 // --- the highest degrees ---
@@ -195,7 +187,7 @@ static bmr_condition random_condition(test_random *random, int kind) {
     return bmr_condition_beyond(owner, normal, in(random, -3.0, 3.0), point, 0);
 }
 
-/// Conditions of degree 24 to 48, by both ways to find their roots.
+/// Conditions of degree 24 to 48.
 /// Section 2, failure times: when a certificate fails is a root of a polynomial.
 TEST(the_highest_degrees_are_judged_too) {
     test_random random = {88};
@@ -211,18 +203,15 @@ TEST(the_highest_degrees_are_judged_too) {
             long double size;
             if (!(oracle_value(&trial, 0.0L, &size) > 1e-6L * size))
                 continue;
-            for (int method = 0; method <= BMR_ROOT_GSL; method++) {
-                bmr_failure_options options = bmr_default_failure_options();
-                options.method = (bmr_root_method)method;
-                options.tolerance = 1e-12;
-                double time = -1.0;
-                assert_int_equal(bmr_failure_time(&trial.condition, a, b, 0.0, END, &options, &time), BMR_OK);
-                const oracle_verdict v = oracle_judge(&trial, 0.0, END, time, 1e-11, ORACLE_LOOKS);
-                if (time < 0.0 || v.late || v.early)
-                    fail_msg("round %zu, method %d, condition %d: time %.17g, late %d, early %d, worst %Lg",
-                             round, method, k, time, v.late, v.early, v.worst);
-                failing += !isinf(time);
-            }
+            bmr_failure_options options = bmr_default_failure_options();
+            options.tolerance = 1e-12;
+            double time = -1.0;
+            assert_int_equal(bmr_failure_time(&trial.condition, a, b, 0.0, END, &options, &time), BMR_OK);
+            const oracle_verdict v = oracle_judge(&trial, 0.0, END, time, 1e-11, ORACLE_LOOKS);
+            if (time < 0.0 || v.late || v.early)
+                fail_msg("round %zu, condition %d: time %.17g, late %d, early %d, worst %Lg", round, k, time,
+                         v.late, v.early, v.worst);
+            failing += !isinf(time);
         }
     assert_true(failing > rounds / 2);
 }

@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: MIT
-// First roots of polynomials, by GSL and by subdivision; and the queue of events against brute force.
+// First roots of polynomials; GSL's error handler; and the queue of events against brute force.
 #include <float.h>
 
 #include "checks.h"
 #include <gsl/gsl_errno.h>
 #include <pthread.h>
 
-#include "boomerang/motion.h"
+#include "boomerang/failure.h"
 #include "kinetic/event_queue.h"
 #include "kinetic/roots.h"
+#include "motions.h"
 #include "polygons.h"
 
 #define ROOT_TOLERANCE 1e-9
-
-/// The coefficients of the product of (t - roots[i]).
-static void expand(const double *roots, size_t count, double *coefficients) {
-    coefficients[0] = 1.0;
-    for (size_t n = 0; n < count; ++n) {
-        coefficients[n + 1] = coefficients[n];
-        for (size_t k = n; k > 0; --k)
-            coefficients[k] = coefficients[k - 1] - roots[n] * coefficients[k];
-        coefficients[0] *= -roots[n];
-    }
-}
 
 static double value_at(const double *coefficients, size_t degree, double t) {
     double value = coefficients[degree];
@@ -31,76 +21,13 @@ static double value_at(const double *coefficients, size_t degree, double t) {
     return value;
 }
 
-static double first_root(const double *coefficients, size_t degree, double from, double to) {
-    double root = -12345.0;
-    assert_int_equal(bmr_polynomial_first_root(coefficients, degree, from, to, &root), BMR_OK);
-    assert_true(root != -12345.0);
-    return root;
-}
-
-TEST(the_first_of_known_roots_is_found_and_the_ends_belong_to_the_interval) {
-    const double none = (double)INFINITY, third = cbrt(0.5);
-    const struct {
-        size_t degree;
-        double c[5], from, to, root;
-    } cases[] = {{4,
-                  {0.1875, -0.71875, -0.6875, 2.5, -1.0},
-                  -1.0,
-                  1.0,
-                  -0.5}, // -(t - 3/4) (t + 1/2) (t - 1/4) (t - 2)
-                 {4, {0.1875, -0.71875, -0.6875, 2.5, -1.0}, 0.0, 1.0, 0.25},
-                 {4, {0.1875, -0.71875, -0.6875, 2.5, -1.0}, 0.5, 3.0, 0.75},
-                 {4, {0.1875, -0.71875, -0.6875, 2.5, -1.0}, 1.0, 3.0, 2.0},
-                 {4, {0.1875, -0.71875, -0.6875, 2.5, -1.0}, 1.0, 1.5, none},
-                 {1, {-0.25, 1.0}, 0.25, 9.0, 0.25},
-                 {1, {-0.25, 1.0}, -9.0, 0.25, 0.25},
-                 {1, {-0.25, 1.0}, 0.25, 0.25, 0.25},
-                 {1, {-0.25, 1.0}, 0.2500001, 9.0, none},
-                 {1, {-0.25, 1.0}, -9.0, 0.2499999, none},
-                 {2, {1.0, 0.0, 1.0}, -100.0, 100.0, none},
-                 {4, {1.0, 0.0, 0.0, 0.0, 1.0}, -100.0, 100.0, none},
-                 {2, {0.0}, 3.0, 4.0, 3.0}, // zero everywhere
-                 {0, {0.0}, 3.0, 4.0, 3.0},
-                 {2, {-2.0}, 3.0, 4.0, none},
-                 {0, {-2.0}, 3.0, 4.0, none},
-                 {4, {-0.5, 1.0, 0.0, 0.0, 1e-300}, 0.0, 1.0, 0.5}, // the leading term means nothing here
-                 {3, {-0.5e308, 0.0, 0.0, 1e308}, 0.0, 1.0, third},
-                 {3, {-0.5e-300, 0.0, 0.0, 1e-300}, 0.0, 1.0, third},
-                 {3, {-1e300, 0.0, 0.0, 1.0}, 0.0, 1e150, 1e100},
-                 {3, {-1e300, 0.0, 0.0, 1.0}, -1.0, 1.0, none},
-                 {3, {0.0, 1.0, 1.0, 1.0}, 0.0, 0.0, 0.0}};
-    for (size_t i = 0; i < COUNT_OF(cases); ++i) {
-        const double found = first_root(cases[i].c, cases[i].degree, cases[i].from, cases[i].to),
-                     root = cases[i].root;
-        if (!(found == root || fabs(found - root) <= ROOT_TOLERANCE * fmax(1.0, fabs(root))))
-            fail_msg("case %zu: %.17g is not %.17g", i, found, root);
-    }
-}
-
-TEST(a_polynomial_that_only_touches_zero_counts) {
-    for (size_t multiplicity = 2; multiplicity <= 4; multiplicity += 2) {
-        double roots[6] = {0.3, 0.3, 0.3, 0.3}, c[7], lifted;
-        roots[multiplicity] = -2.0;
-        roots[multiplicity + 1] = -3.0;
-        expand(roots, multiplicity + 2, c);
-        assert_true(fabs(first_root(c, multiplicity + 2, 0.0, 1.0) - 0.3) < 1e-3);
-        // The control: lifted by far more than rounding, it touches no longer.
-        lifted = c[0];
-        c[0] = lifted + 1e-6;
-        assert_true(isinf(first_root(c, multiplicity + 2, 0.0, 1.0)));
-    }
-}
-
-/// The reference: the first change of sign over a fine grid, by no other means than evaluating. INFINITY if
-/// none.
-static double first_sign_change(const double *c, size_t degree, double from, double to, size_t cells) {
-    double last = value_at(c, degree, from);
+/// The reference: the first change of sign in [0, 1] over a fine grid, by no other means than evaluating.
+/// INFINITY if none.
+static double first_sign_change(const double *c, size_t degree, size_t cells) {
     for (size_t i = 1; i <= cells; ++i) {
-        const double t = from + (to - from) * ((double)i / (double)cells);
-        const double value = value_at(c, degree, t);
-        if ((value > 0.0) != (last > 0.0))
+        const double t = (double)i / (double)cells;
+        if (!(value_at(c, degree, t) > 0.0))
             return t;
-        last = value;
     }
     return (double)INFINITY;
 }
@@ -108,32 +35,25 @@ static double first_sign_change(const double *c, size_t degree, double from, dou
 TEST(no_change_of_sign_is_passed_over) {
     test_random random = {20240229};
     const size_t trials = test_scaled(4000), cells = 512;
-    size_t with_root = 0, without = 0, later = 0;
+    size_t with_root = 0, without = 0;
     for (size_t trial = 0; trial < trials; ++trial) {
         const size_t degree = 1 + test_random_below(&random, 10);
-        double c[11];
-        for (size_t k = 0; k <= degree; ++k)
+        double c[11], found = (double)INFINITY;
+        c[0] = test_random_uniform(&random, 0.01, 1.0);
+        for (size_t k = 1; k <= degree; ++k)
             c[k] = test_random_uniform(&random, -1.0, 1.0);
-        const double from = test_random_uniform(&random, -2.0, 0.0),
-                     to = test_random_uniform(&random, 0.0, 2.0);
-        const double found = first_root(c, degree, from, to);
-        const double change = first_sign_change(c, degree, from, to, cells);
-        // The first root lies at or before the first change that a grid sees.
-        assert_true(found <= change);
-        if (isinf(found)) {
-            ++without;
-            continue;
-        }
-        ++with_root;
-        assert_true(found >= from && found <= to);
-        assert_true(fabs(value_at(c, degree, found)) < 1e-11);
-        // The control: the SECOND root would fail the comparison above, where there is one.
-        if (found < to) {
-            const double second = first_root(c, degree, fmin(found + 1e-6, to), to);
-            later += second > change && !isinf(change);
-        }
+        const bool is_found = bmr_bernstein_first_root(c, degree, 0.0, ROOT_TOLERANCE, &found);
+        const double change = first_sign_change(c, degree, cells);
+        assert_true(is_found == isfinite(found));
+        // The first root lies before the first change that a grid sees: positive until there, and not after.
+        assert_true(found < change || (!is_found && isinf(change)));
+        with_root += is_found;
+        without += !is_found;
+        if (is_found)
+            assert_true(value_at(c, degree, found) > 0.0 &&
+                        value_at(c, degree, found) <= 100.0 * ROOT_TOLERANCE);
     }
-    assert_true(with_root > trials / 10 && without > trials / 10 && later > trials / 100);
+    assert_true(with_root > trials / 10 && without > trials / 10);
 }
 
 static int handler_calls = 0;
@@ -144,15 +64,20 @@ static void counting_handler(const char *reason, const char *file, int line, int
 
 #define THREADS 4
 
+/// A spin past a line, whose failure GSL's solver finds.
 static void *solve_many(void *argument) {
     const size_t rounds = test_scaled(2000);
     const double target = *(const double *)argument;
-    double c[6], root = 0.0;
-    const double roots[] = {target, 2.0, 3.0, -1.0, -2.0};
-    expand(roots, 5, c);
+    own_motion *still = made_motion(bmr_piece_rest(bmr_pose_identity())),
+               *spins = made_motion(
+                   bmr_piece_screw(0.0, bmr_pose_identity(), bmr_vec2_make(0.0, 0.0), 1.0 / target));
+    const bmr_condition k =
+        bmr_condition_beyond(0, bmr_vec2_make(1.0, 0.0), cos(1.0), bmr_vec2_make(1.0, 0.0), 0);
+    const bmr_failure_options options = bmr_default_failure_options();
     for (size_t i = 0; i < rounds; ++i) {
-        if (bmr_polynomial_first_root(c, 5, 0.0, 1.0, &root) != BMR_OK ||
-            !(fabs(root - target) < ROOT_TOLERANCE))
+        double time = 0.0;
+        if (bmr_failure_time(&k, still, spins, 0.0, 1.0, &options, &time) != BMR_OK ||
+            !(fabs(time - target) < ROOT_TOLERANCE))
             return argument;
     }
     return NULL;

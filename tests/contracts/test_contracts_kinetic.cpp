@@ -205,27 +205,7 @@ TEST_CASE("boomerang/motion.h") {
         "finite");
 }
 
-TEST_CASE("boomerang/failure.h, boomerang/time_of_contact.h, kinetic/roots.h") {
-    Row(
-        "bmr_polynomial_first_root",
-        [](Asked &ask) {
-            std::vector<double> coefficients(50, 0.0);
-            coefficients[0] = 1.0;
-            coefficients[1] = -ask.Number("coefficient", 2, kFinite);
-            const double degree = ask.Number("degree", 1, OutOfRange({49, kSizeMax})),
-                         from = ask.Number("from", 0, kFinite + OutOfRange({2})),
-                         to = ask.Number("to", 1, kFinite);
-            double root = -77.0;
-            const bmr_error error =
-                bmr_polynomial_first_root(ask.NotNull("coefficients", coefficients.data()), Count(degree),
-                                          from, to, ask.Result("result", &root));
-            return error != BMR_OK ? ask.Says(error) : Word(root);
-        },
-        "finite");
-    const double huge[] = {1e308, -1e308, 1e-308, 1e308};
-    double root = 0.0;
-    CHECK(bmr_polynomial_first_root(huge, 3, 0.0, 1e9, &root) == BMR_OK);
-    CHECK(root == kInfinity);
+TEST_CASE("boomerang/failure.h, boomerang/time_of_contact.h") {
     Row(
         "bmr_failure_time",
         [](Asked &ask) {

@@ -13,16 +13,10 @@ extern "C" {
 /// The time at which a condition first fails while the two bodies move (section 2 of the paper: "we can
 /// compute the next time t when F(t) = 0"). In boomerang::kinetic.
 
-/// How to find the roots of algebraic motions. (If a spinning screw motion takes part, the function is no
-/// polynomial. Then the search takes steps over which a bound of the second derivative keeps the condition
-/// positive, and gsl_root_fsolver_brent finds the last digits.)
-typedef enum bmr_root_method {
-    BMR_ROOT_BERNSTEIN, ///< subdivision in the Bernstein basis
-    BMR_ROOT_GSL        ///< gsl_poly_complex_solve
-} bmr_root_method;
-
+/// Roots of algebraic motions are found by subdivision in the Bernstein basis. (If a spinning screw motion
+/// takes part, the function is no polynomial. Then the search takes steps over which a bound of the second
+/// derivative keeps the condition positive, and gsl_root_fsolver_brent finds the last digits.)
 typedef struct bmr_failure_options {
-    bmr_root_method method;
     /// > 0. A failure may be reported early by at most this much time, times max(1, |time|) and not less than
     /// a few roundings of the time. It is never reported late: until the returned time the condition's true
     /// value is >= 0, up to the rounding of evaluating it (some 1e-14 of the magnitudes involved, more for
@@ -30,7 +24,7 @@ typedef struct bmr_failure_options {
     /// than that, and a touch, may be passed over or reported.
     double tolerance;
 } bmr_failure_options;
-/// BMR_ROOT_BERNSTEIN, and a tolerance of 1e-12.
+/// A tolerance of 1e-12.
 bmr_failure_options bmr_default_failure_options(void);
 
 /// The first time in (after, until] at which the condition is no longer positive while A and B move as given;
@@ -45,9 +39,9 @@ bmr_failure_options bmr_default_failure_options(void);
 /// Cost: under two algebraic motions some microseconds for each interval on which their terms keep their size
 /// (one, unless the motion is followed far); with a spin some ten looks of 100 ns for a root and five for
 /// each turn. No allocation; 32 KB of stack. Errors: NULL_ARGUMENT; NOT_FINITE (an argument, or a number that
-/// follows from it); OUT_OF_RANGE (after > until, a tolerance that is not positive, no such condition or
-/// method, GSL's iteration did not converge, or a search over two pieces does not end within the steps below:
-/// ask for a shorter time). Then *time is untouched.
+/// follows from it); OUT_OF_RANGE (after > until, a tolerance that is not positive, no such condition, or
+/// a search over two pieces does not end within the steps below: ask for a shorter time). Then *time is
+/// untouched.
 bmr_error bmr_failure_time(const bmr_condition *condition, const bmr_motion *a, const bmr_motion *b,
                            double after, double until, const bmr_failure_options *options, double *time);
 /// The most steps of a search over two pieces, one of them spinning: enough for some 50,000 turns, which

@@ -56,7 +56,7 @@ kds_def = record("kds_def", ("margin", c_double), ("hysteresis", c_double), ("al
 kds_report = record("kds_report", ("kind", c_int), ("apart", c_bool), ("line_changed", c_bool), ("level_before", c_int),
                     ("level_after", c_int), ("touched", c_uint))
 kds_proof = record("kds_proof", ("owner", c_int), ("line", line), ("nearest", vec2), ("level", c_int))
-failure_options = record("failure_options", ("method", c_int), ("tolerance", c_double))
+failure_options = record("failure_options", ("tolerance", c_double))
 simulation_def = record("simulation_def", ("structure", POINTER(kds_info)), ("kds", kds_def), ("failure", failure_options),
                         ("contact_step", c_double))
 simulation_event = record("simulation_event", ("time", c_double), ("pair", c_size_t), ("a", c_size_t), ("b", c_size_t),
