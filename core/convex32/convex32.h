@@ -138,12 +138,11 @@ void bmr_convex32_box(const bmr_convex32 *polygon, const bmr_transform32 *pose, 
 /// in several, the farthest from those taken. Writes their numbers, ascending, all different. O(n).
 void bmr_convex32_inner(const bmr_convex32 *polygon, uint32_t *vertices, uint32_t count);
 
-/// Few vertices, chosen by the levels of the polygon's Dobkin-Kirkpatrick hierarchy (hierarchy.h), whose
-/// polygon lies within `tolerance` (Hausdorff distance) of the given one: some of the given ones, at least 3,
-/// in order. Where a boomerang is within the tolerance, no deeper level is opened; at the end those that are
-/// not needed after all are dropped. `points` has room for polygon->count; errors leave the outputs as they
+/// Few vertices, whose polygon lies within `tolerance` (Hausdorff distance) of the given one: some of the
+/// given ones, at least 3, in order. It is bmr_outline_simplify (outline.h) of the vertices. None of those
+/// that are left can be left out, too. `points` has room for polygon->count; errors leave the outputs as they
 /// were: BMR_ERROR_NULL_ARGUMENT, BMR_ERROR_NOT_FINITE and BMR_ERROR_NEGATIVE of a tolerance that is NaN or
-/// negative, BMR_ERROR_NO_MEMORY. O(n log n).
+/// negative, BMR_ERROR_NO_MEMORY. O(n log n) where the edges are of about one length.
 bmr_error bmr_convex32_simplify(const bmr_convex32 *polygon, float tolerance, const bmr_allocator *allocator,
                                 bmr_vec32 *points, size_t *count);
 

@@ -108,7 +108,7 @@ public:
     bmr_error SetRounded(float halfWidth, float halfHeight, float cornerRadius, int32 cornerVertices);
     /// Fewer vertices, all of them among those it has, nowhere farther than `tolerance` from what it was
     /// (bmr_convex32_simplify). A shape without vertices is BMR_ERROR_TOO_FEW_POINTS, a tolerance below zero
-    /// BMR_ERROR_NEGATIVE. O(n log n).
+    /// BMR_ERROR_NEGATIVE. Usually O(n log n).
     bmr_error Simplify(float tolerance);
 
     /// The real polygon. O(1).
