@@ -116,16 +116,11 @@ uint32_t bmr_convex32_support(const bmr_convex32 *polygon, bmr_vec32 direction);
 /// is allowed.
 uint32_t bmr_convex32_support_from(const bmr_convex32 *polygon, bmr_vec32 direction, uint32_t hint);
 
-/// Is the point (in the polygon's frame) inside or on it, in Box2D's sense: outside no edge's line?
-/// O(log n).
+/// Is the point (in the polygon's frame) inside or on it, in Box2D's sense: outside no edge's line? O(n).
 bool bmr_convex32_contains(const bmr_convex32 *polygon, bmr_vec32 point);
 
 /// The first edge that the segment from p1 to p1 + fraction (p2 - p1), fraction <= max_fraction, enters, in
-/// Box2D's sense (a segment that begins inside enters nothing). Polygon's frame. O(log n); besides, it looks
-/// at the edges that rounding cannot tell from those where the line comes in and goes out (nearer than 3e-6
-/// of the polygon's size and distance from p1: of a circle of 1,024 vertices 3, of one of 27,838 about 70).
-/// It looks at every edge where numbers are beyond 1e15 or not finite, and where the segment goes on to more
-/// than twice the polygon's distance from p1 and leaves the polygon along an edge, to rounding.
+/// Box2D's sense (a segment that begins inside enters nothing). Polygon's frame. O(n).
 bool bmr_convex32_ray(const bmr_convex32 *polygon, bmr_vec32 p1, bmr_vec32 p2, float max_fraction,
                       float *fraction, uint32_t *edge);
 
