@@ -19,6 +19,20 @@ void AddBounds(Game &game) {
             }
 }
 
+/// An edge and a chain far from all else, and boxes that fall upon them.
+void AddTerrain(Game &game) {
+    b2EdgeShape edge;
+    edge.SetTwoSided({200.0f, 0.0f}, {206.0f, 0.7f});
+    const b2Vec2 bends[] = {{216.0f, 0.3f}, {213.0f, 0.0f}, {210.0f, 0.2f}, {207.0f, 0.1f}};
+    b2ChainShape chain;
+    chain.CreateChain(bends, 4, {219.0f, 0.0f}, {205.0f, 0.6f});
+    b2Body *const ground = game.Body(b2_staticBody, {0.0f, 0.0f});
+    game.Fixture(ground, edge);
+    game.Fixture(ground, chain);
+    for (int i = 0; i < 10; ++i)
+        game.Box({201.3f + 1.4f * Real(i), 1.7f}, {0.3f, 0.2f});
+}
+
 void PlayRounded(Run &run, int mode, When when) {
     if (when == When::kBefore)
         std::fesetround(mode);
@@ -26,6 +40,7 @@ void PlayRounded(Run &run, int mode, When when) {
     FillWithBoxes(game.world);
     game.Wheel({-3.0f, 20.0f}, 24, 1.5f);
     game.Wheel({-2.0f, 24.0f}, 24, 1.5f);
+    AddTerrain(game);
     if (when == When::kListening)
         game.Listen();
     int calls = 0, rounded = 0;
