@@ -119,7 +119,7 @@ Box2DCalls RunInBox2D(const Course &course, const Workers &workers) {
     Box2DCalls calls = {};
     for (size_t i = 0; i < 2; ++i) {
         request.side = i == 0 ? Side::Stock : Side::Plugin;
-        const nlohmann::json summary = workers.Summarise(request, {});
+        const nlohmann::json summary = workers.Run(request, {});
         if (i == 0)
             calls[0] = summary.at("steps").get<double>();
         size_t place = 1 + 3 * i;

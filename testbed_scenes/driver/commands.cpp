@@ -126,12 +126,10 @@ int Execute(const RunCommand &command, const Workers &workers) {
     request.mode = command.hash ? "hash" : command.time ? "time" : "count";
     Progress progress(1, command.hash);
     progress.Show(scene.name);
-    const nlohmann::json summary = workers.Summarise(
-        request, command.worker, [&progress] { progress.Tick(); },
-        [&command](const std::string &line) {
-            if (command.hash)
-                std::cout << line << '\n';
-        });
+    const nlohmann::json summary = workers.Run(request, command.worker, [&command](const std::string &line) {
+        if (command.hash)
+            std::cout << line << '\n';
+    });
     progress.Clear();
     std::cout << summary.dump(2) << '\n';
     return kExitOk;
@@ -177,7 +175,7 @@ int Execute(CompareCommand &command, const Workers &workers) {
         scenes.push_back(FindScene(all, name));
     CheckPerturb(scenes, command.options);
     const bool colour = WantsColour(STDOUT_FILENO);
-    const int runsPerScene = RunsPerScene(workers, command.options);
+    const int runsPerScene = RunsPerScene(command.options);
 
     if (!workers.CanCount() && !command.quiet)
         std::cerr << "note: libboomerang-count.so is not built: calls of Box2D stay uncounted\n";

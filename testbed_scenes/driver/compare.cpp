@@ -2,6 +2,8 @@
 #include "compare.h"
 
 #include <algorithm>
+#include <functional>
+#include <future>
 #include <map>
 #include <sstream>
 
@@ -18,74 +20,75 @@ WorkerRequest RequestFor(Side side, const SceneResult &result, const CompareOpti
     return {side, result.scene.name, result.steps, mode, extra};
 }
 
-std::vector<DumpField> DumpOf(const Workers &workers, Side side, int64_t step, const SceneResult &result,
-                              const CompareOptions &options) {
+/// All that is hashed after a step: fields and their values, in order.
+using Dump = std::vector<std::pair<std::string, std::string>>;
+
+Dump DumpOf(const Workers &workers, Side side, int64_t step, const SceneResult &result,
+            const CompareOptions &options) {
     WorkerRequest request = RequestFor(side, result, options, "hash");
     request.steps = step + 1; // steps count from 0
     request.extra.insert(request.extra.end(), {"--dump", std::to_string(step)});
-    std::vector<DumpField> fields;
-    workers.Summarise(request, options.worker, nullptr, [&fields](const std::string &line) {
-        if (!IsStepLine(line))
-            fields.push_back(ParseDumpLine(line));
+    Dump fields;
+    workers.Run(request, options.worker, [&fields](const std::string &line) {
+        if (const size_t is = line.find(" = "); is != std::string::npos)
+            fields.emplace_back(line.substr(0, is), line.substr(is + 3));
     });
     return fields;
 }
 
 /// Which field it is that the hashes of a step disagree about. By name, not by line: where one side has a
 /// contact the other has not, every line after it is displaced, and none of those is the difference.
-void FindField(const std::vector<DumpField> &stock, const std::vector<DumpField> &plugin,
-               Difference &difference) {
+void FindField(const Dump &stock, const Dump &plugin, Difference &difference) {
     constexpr char kAbsent[] = "(none)";
-    std::map<std::string, std::string> others;
-    for (const DumpField &field : plugin)
-        others.emplace(field.name, field.value);
+    std::map<std::string, std::string> others(plugin.begin(), plugin.end());
     auto report = [&difference](const std::string &name, const std::string &left, const std::string &right) {
         if (difference.fields++ == 0) {
             difference.field = name;
-            difference.stock = Readable(left);
-            difference.plugin = Readable(right);
+            difference.stock = left;
+            difference.plugin = right;
         }
     };
-    for (const DumpField &field : stock) {
-        const auto other = others.find(field.name);
+    for (const auto &[name, value] : stock) {
+        const auto other = others.find(name);
         if (other == others.end()) {
-            report(field.name, field.value, kAbsent);
+            report(name, value, kAbsent);
             continue;
         }
-        if (other->second != field.value)
-            report(field.name, field.value, other->second);
+        if (other->second != value)
+            report(name, value, other->second);
         others.erase(other);
     }
-    for (const DumpField &field : plugin)
-        if (others.count(field.name) != 0)
-            report(field.name, kAbsent, field.value);
+    for (const auto &[name, value] : plugin)
+        if (others.count(name) != 0)
+            report(name, kAbsent, value);
 }
 
-/// What one side printed of its steps.
-struct HashRun {
-    Side side = Side::Stock;
-    std::vector<std::string> lines;
-    bool ended = false; ///< with a summary
-    std::unique_ptr<Process> process;
-};
-
-/// Throws WorkerError unless a run gave all the steps asked for, and its summary.
-void CheckComplete(const HashRun &run, int64_t steps) {
-    if (!run.process->Succeeded())
-        throw WorkerError(run.process->Describe());
-    if (!run.ended || static_cast<int64_t>(run.lines.size()) != steps)
-        throw WorkerError(run.process->CommandLine() + ": ended after " + std::to_string(run.lines.size()) +
-                          " steps, or without a summary");
+/// The lines that one side printed of its steps. Throws WorkerError unless it gave all that were asked for.
+using Hashes = std::vector<std::string>;
+Hashes HashesOf(const Workers &workers, Side side, const CompareOptions &options, const SceneResult &result,
+                const std::function<void(size_t)> &onStep = nullptr) {
+    Hashes lines;
+    workers.Run(RequestFor(side, result, options, "hash"), options.worker, [&](const std::string &line) {
+        if (!IsStepLine(line))
+            return;
+        lines.push_back(line);
+        if (onStep)
+            onStep(lines.size());
+    });
+    if (static_cast<int64_t>(lines.size()) != result.steps)
+        throw WorkerError(std::string("the worker of ") + NameOf(side) + " ended after " +
+                          std::to_string(lines.size()) + " steps");
+    return lines;
 }
 
-/// The first step of two complete runs whose hashes differ.
-std::optional<Difference> FirstDifference(const HashRun &stock, const HashRun &other) {
-    const auto [line, with] = std::mismatch(stock.lines.begin(), stock.lines.end(), other.lines.begin());
-    if (line == stock.lines.end())
+/// The first step whose hashes differ.
+std::optional<Difference> FirstDifference(const Hashes &stock, const Hashes &other, Side side) {
+    const auto [line, with] = std::mismatch(stock.begin(), stock.end(), other.begin());
+    if (line == stock.end())
         return std::nullopt;
     Difference difference;
-    difference.side = other.side;
-    difference.step = line - stock.lines.begin();
+    difference.side = side;
+    difference.step = line - stock.begin();
     std::istringstream words(*line), others(*with);
     for (const char *name : {"word", "number", "bodies", "contacts", "events"}) {
         std::string word, otherWord;
@@ -98,44 +101,24 @@ std::optional<Difference> FirstDifference(const HashRun &stock, const HashRun &o
 }
 
 /// Stock and all variants side by side.
-std::vector<HashRun> RunHashes(const Workers &workers, const CompareOptions &options,
-                               const SceneResult &result, Progress &progress) {
-    std::vector<HashRun> runs(1 + result.variants.size());
-    std::vector<Process *> processes;
-    for (size_t i = 0; i < runs.size(); ++i) {
-        HashRun &run = runs[i];
-        run.side = i == 0 ? Side::Stock : result.variants[i - 1].side;
-        run.process = workers.Start(RequestFor(run.side, result, options, "hash"), options.worker,
-                                    [&run](const std::string &line) {
-                                        if (IsStepLine(line))
-                                            run.lines.push_back(line);
-                                        else
-                                            run.ended = run.ended || IsSummaryLine(line);
-                                    });
-        processes.push_back(run.process.get());
-    }
-    RunAll(processes, [&] {
-        size_t least = runs[0].lines.size();
-        for (const HashRun &run : runs)
-            least = std::min(least, run.lines.size());
-        progress.Show(result.scene.name + ": comparing",
-                      static_cast<double>(least) / static_cast<double>(result.steps));
-    });
-    return runs;
-}
-
 void CompareHashes(const Workers &workers, const CompareOptions &options, SceneResult &result,
                    Progress &progress) {
-    for (const Side side : {Side::Plugin, Side::Preloaded, Side::Accelerated})
-        if ((side != Side::Preloaded || (workers.CanPreload() && !result.scene.NeedsPlugin())) &&
-            (side != Side::Accelerated || workers.CanAccelerate()))
-            result.variants.push_back({side, Verdict::Failed});
-    const std::vector<HashRun> runs = RunHashes(workers, options, result, progress);
-    for (const HashRun &run : runs)
-        CheckComplete(run, result.steps);
-    for (size_t i = 1; i < runs.size(); ++i) {
-        const std::optional<Difference> difference = FirstDifference(runs[0], runs[i]);
-        result.variants[i - 1].verdict = difference ? Verdict::Different : Verdict::Identical;
+    result.variants.push_back({Side::Plugin, Verdict::Failed});
+    if (workers.CanPreload() && !result.scene.NeedsPlugin())
+        result.variants.push_back({Side::Preloaded, Verdict::Failed});
+    std::vector<std::future<Hashes>> others;
+    for (const Variant &variant : result.variants)
+        others.push_back(std::async(std::launch::async, [&, side = variant.side] {
+            return HashesOf(workers, side, options, result);
+        }));
+    const Hashes stock = HashesOf(workers, Side::Stock, options, result, [&](size_t steps) {
+        progress.Show(result.scene.name + ": comparing",
+                      static_cast<double>(steps) / static_cast<double>(result.steps));
+    });
+    for (size_t i = 0; i < others.size(); ++i) {
+        Variant &variant = result.variants[i];
+        const std::optional<Difference> difference = FirstDifference(stock, others[i].get(), variant.side);
+        variant.verdict = difference ? Verdict::Different : Verdict::Identical;
         if (difference && (!result.difference || difference->step < result.difference->step))
             result.difference = difference;
     }
@@ -146,42 +129,26 @@ void CompareHashes(const Workers &workers, const CompareOptions &options, SceneR
                   *result.difference);
 }
 
-/// Stock, the plugin; and the accelerated Box2D where there is one.
-int TimedSides(const Workers &workers) {
-    return workers.CanAccelerate() ? 3 : 2;
-}
-
 void Measure(const Workers &workers, const CompareOptions &options, SceneResult &result, Progress &progress) {
-    progress.Show(result.scene.name + ": counting", 0.0);
-    auto tick = [&progress] { progress.Tick(); };
-    result.stockCount =
-        workers.Summarise(RequestFor(Side::Stock, result, options, "count"), options.worker, tick);
-    progress.Finish();
-    result.pluginCount =
-        workers.Summarise(RequestFor(Side::Plugin, result, options, "count"), options.worker, tick);
-    progress.Finish();
+    const auto run = [&](Side side, const char *mode, const WorkerOptions &worker) {
+        nlohmann::json summary = workers.Run(RequestFor(side, result, options, mode), worker);
+        progress.Finish();
+        return summary;
+    };
+    progress.Show(result.scene.name + ": counting");
+    result.stockCount = run(Side::Stock, "count", options.worker);
+    result.pluginCount = run(Side::Plugin, "count", options.worker);
     if (!options.worker.structure.empty()) {
         WorkerOptions asGamesHaveIt = options.worker;
         asGamesHaveIt.structure.clear();
-        result.linesCount =
-            workers.Summarise(RequestFor(Side::Plugin, result, options, "count"), asGamesHaveIt, tick);
-        progress.Finish();
+        result.linesCount = run(Side::Plugin, "count", asGamesHaveIt);
     }
-    if (!options.time)
-        return;
-    for (int i = 0; i < options.repeat; ++i) {
-        progress.Show(result.scene.name + ": timing", 0.0);
+    for (int i = 0; options.time && i < options.repeat; ++i) {
+        progress.Show(result.scene.name + ": timing");
         // Taking turns at who goes first, so that a machine that warms up or slows down favours nobody.
-        constexpr Side kSides[] = {Side::Stock, Side::Plugin, Side::Accelerated};
-        std::vector<nlohmann::json> *const times[] = {&result.stockTimes, &result.pluginTimes,
-                                                      &result.acceleratedTimes};
-        const int sides = TimedSides(workers);
-        for (int turn = 0; turn < sides; ++turn) {
-            const int side = (turn + i) % sides;
-            times[side]->push_back(
-                workers.Summarise(RequestFor(kSides[side], result, options, "time"), options.worker, tick));
-            progress.Finish();
-        }
+        for (const bool isStock : {i % 2 == 0, i % 2 != 0})
+            (isStock ? result.stockTimes : result.pluginTimes)
+                .push_back(run(isStock ? Side::Stock : Side::Plugin, "time", options.worker));
     }
 }
 
@@ -199,10 +166,10 @@ const char *NameOf(Verdict verdict) {
     return "failed";
 }
 
-int RunsPerScene(const Workers &workers, const CompareOptions &options) {
+int RunsPerScene(const CompareOptions &options) {
     constexpr int kHashing = 1; // all sides run at once
     const int counting = options.worker.structure.empty() ? 2 : 3;
-    return kHashing + counting + (options.time ? TimedSides(workers) * options.repeat : 0);
+    return kHashing + counting + (options.time ? 2 * options.repeat : 0);
 }
 
 const Variant *FindVariant(const SceneResult &result, Side side) {

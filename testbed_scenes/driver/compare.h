@@ -61,12 +61,12 @@ struct SceneResult {
     std::optional<Difference> difference;   ///< set where a variant is Different: the earliest
     nlohmann::json stockCount, pluginCount; ///< summaries of the counting runs; null where there were none
     nlohmann::json linesCount;              ///< with --structure: of one as games have it
-    /// Summaries of the timed runs, paired by index. (The accelerated Box2D's: where there is one.)
-    std::vector<nlohmann::json> stockTimes, pluginTimes, acceleratedTimes;
+    /// Summaries of the timed runs, paired by index.
+    std::vector<nlohmann::json> stockTimes, pluginTimes;
 };
 
 /// Worker runs that comparing one scene takes: the unit of the progress bar.
-int RunsPerScene(const Workers &workers, const CompareOptions &options);
+int RunsPerScene(const CompareOptions &options);
 
 /// The variant of that side, or nullptr where it was not run.
 const Variant *FindVariant(const SceneResult &result, Side side);

@@ -100,20 +100,14 @@ void AddScene(const RenderCommand &command, const SceneInfo &scene, const Worker
         request.extra.emplace_back("--boxes");
     const int64_t wanted = (series->Last() - series->First()) / series->Every() + 1;
     int64_t frames = 0;
-    const auto process = workers.Start(request, command.worker, [&](const std::string &line) {
-        if (shown::IsFrame(line)) {
-            ++frames;
-            series->Add(shown::ParseFrame(line));
-            progress->Show(scene.name, static_cast<double>(frames) / static_cast<double>(wanted));
-        } else if (!IsSummaryLine(line)) {
-            throw WorkerError("printed what is no frame: \"" + line.substr(0, 200) + "\"");
-        }
+    progress->Show(scene.name);
+    workers.Run(request, command.worker, [&](const std::string &line) {
+        ++frames;
+        series->Add(shown::ParseFrame(line));
+        progress->Show(scene.name, static_cast<double>(frames) / static_cast<double>(wanted));
     });
-    RunAll({process.get()}, [progress] { progress->Tick(); });
-    if (!process->Succeeded())
-        throw WorkerError(process->Describe());
     if (frames != wanted)
-        throw WorkerError(process->CommandLine() + ": ended after " + std::to_string(frames) + " frames");
+        throw WorkerError(scene.name + ": ended after " + std::to_string(frames) + " frames");
 }
 
 /// Throws UsageError unless the command says what to draw, once.

@@ -77,8 +77,7 @@ Number SavedTests(const SceneResult &result) {
 }
 
 using Times = std::vector<nlohmann::json> SceneResult::*;
-constexpr Times kStockTimes = &SceneResult::stockTimes, kPluginTimes = &SceneResult::pluginTimes,
-                kAcceleratedTimes = &SceneResult::acceleratedTimes;
+constexpr Times kStockTimes = &SceneResult::stockTimes, kPluginTimes = &SceneResult::pluginTimes;
 // Box2D's own profile gives milliseconds, the worker's clock around a step nanoseconds.
 constexpr char kNarrowPhase[] = "/collide_ms_total", kWholeStep[] = "/step_ns_total";
 constexpr double kFromMilliseconds = 1e3, kFromNanoseconds = 1e-3;
@@ -109,8 +108,9 @@ Figure Microseconds(Times times, const char *time) {
 }
 
 /// Stock over the plugin, run by run.
-std::vector<double> Ratios(const SceneResult &result, Times times, const char *time) {
-    const std::vector<double> stock = Column(result.stockTimes, time), plugin = Column(result.*times, time);
+std::vector<double> Ratios(const SceneResult &result, const char *time) {
+    const std::vector<double> stock = Column(result.stockTimes, time),
+                              plugin = Column(result.pluginTimes, time);
     std::vector<double> ratios;
     for (size_t i = 0; i < std::min(stock.size(), plugin.size()); ++i)
         if (plugin[i] > 0.0)
@@ -118,13 +118,13 @@ std::vector<double> Ratios(const SceneResult &result, Times times, const char *t
     return ratios;
 }
 
-Figure Ratio(Times times, const char *time) {
-    return [=](const SceneResult &result) { return Median(Ratios(result, times, time)); };
+Figure Ratio(const char *time) {
+    return [=](const SceneResult &result) { return Median(Ratios(result, time)); };
 }
 
 /// The least of the pairs of runs of the plugin, and the greatest.
 Number Extreme(const SceneResult &result, bool greatest) {
-    std::vector<double> ratios = Ratios(result, kPluginTimes, kWholeStep);
+    std::vector<double> ratios = Ratios(result, kWholeStep);
     std::sort(ratios.begin(), ratios.end());
     return ratios.empty() ? Number() : greatest ? ratios.back() : ratios.front();
 }
@@ -132,7 +132,7 @@ Number Extreme(const SceneResult &result, bool greatest) {
 Number MeanRatio(const std::vector<SceneResult> &results, const char *time) {
     double logarithms = 0.0, count = 0.0;
     for (const SceneResult &result : results)
-        if (const Number ratio = Ratio(kPluginTimes, time)(result)) {
+        if (const Number ratio = Ratio(time)(result)) {
             logarithms += std::log(*ratio);
             ++count;
         }
@@ -253,35 +253,28 @@ SceneTable ModeTable() {
             }};
 }
 
-/// Medians of so many runs. `accelerated`: with columns of a Box2D that was compiled with the plugin.
-SceneTable TimeTable(int repeat, bool accelerated) {
-    SceneTable table = {
+/// Medians of so many runs.
+SceneTable TimeTable(int repeat) {
+    return {
         "Time per step",
         {
             {"narrow phase, us", "stock", Microseconds(kStockTimes, kNarrowPhase), 1},
             {"narrow phase, us", "linked", Microseconds(kPluginTimes, kNarrowPhase), 1},
-            {"narrow phase, us", "ratio", Ratio(kPluginTimes, kNarrowPhase), 2},
+            {"narrow phase, us", "ratio", Ratio(kNarrowPhase), 2},
             {"whole step, us", "stock", Microseconds(kStockTimes, kWholeStep), 1, true},
             {"whole step, us", "linked", Microseconds(kPluginTimes, kWholeStep), 1, true},
-            {kRatioGroup, "linked", Ratio(kPluginTimes, kWholeStep), 2, true},
+            {kRatioGroup, "linked", Ratio(kWholeStep), 2, true},
             {kRatioGroup, "from", [](const SceneResult &result) { return Extreme(result, false); }, 2, true},
             {kRatioGroup, "to", [](const SceneResult &result) { return Extreme(result, true); }, 2, true},
         },
         {"time: median of " + std::to_string(repeat) +
              " runs; ratio: stock / plugin, the median over pairs of runs; above 1 the plugin is faster",
          "from, to: the least and the greatest of the pairs, linked: a difference within them is noise"}};
-    if (accelerated) {
-        table.columns.push_back({kRatioGroup, "accelerated", Ratio(kAcceleratedTimes, kWholeStep), 2, true});
-        table.legend.emplace_back(
-            "accelerated: Box2D compiled with the plugin, against stock's shared library");
-    }
-    return table;
 }
 
 /// What the ways to have the plugin at work are called, and what "bits" are.
 const std::vector<std::string> kVerdictLegend = {
     "linked: a program that was linked with the plugin; preloaded: stock's program, plugin in LD_PRELOAD",
-    "accelerated: Box2D compiled with the plugin, where this was built with Box2D's sources",
     "bits: every body, contact, impulse and listener event of every step, hashed and compared",
     "question: a call of b2CollidePolygons, b2TimeOfImpact or b2Distance; event: of a certificate",
     "any-...: stock Box2D does not have these polygons; its place has the plugin told to be off "
@@ -312,19 +305,11 @@ Table TableOf(const std::vector<SceneResult> &results, const SceneTable &layout)
     return table;
 }
 
-bool AnyIsAccelerated(const std::vector<SceneResult> &results) {
-    return std::any_of(results.begin(), results.end(), [](const SceneResult &result) {
-        return FindVariant(result, Side::Accelerated) != nullptr;
-    });
-}
-
-/// A column for each way to have the plugin at work (the accelerated Box2D's where there is one), one for all
-/// of them, and how long a step takes, where that was measured.
+/// A column for each way to have the plugin at work, one for all of them, and how long a step takes, where
+/// that was measured.
 void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, const CompareOptions &options,
                    bool colour) {
-    std::vector<Side> sides = {Side::Plugin, Side::Preloaded};
-    if (AnyIsAccelerated(results))
-        sides.push_back(Side::Accelerated);
+    constexpr Side sides[] = {Side::Plugin, Side::Preloaded};
     auto cell = [](Verdict verdict) {
         return Table::Cell{NameOf(verdict), verdict == Verdict::Identical ? Style::Good : Style::Bad};
     };
@@ -334,7 +319,7 @@ void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, c
     for (const Side side : sides)
         table.AddColumn("bits, against stock's", NameOf(side));
     table.AddColumn("", "all");
-    SceneTable times = TimeTable(options.repeat, AnyIsAccelerated(results));
+    SceneTable times = TimeTable(options.repeat);
     auto &columns = times.columns;
     columns.erase(std::remove_if(columns.begin(), columns.end(),
                                  [&](const SceneColumn &column) { return !options.time || !column.brief; }),
@@ -375,7 +360,7 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
     };
     out << '\n';
     PrintVerdicts(out, results, options, colour);
-    const SceneTable times = TimeTable(options.repeat, AnyIsAccelerated(results));
+    const SceneTable times = TimeTable(options.repeat);
     if (!details) {
         out << '\n'
             << Styled("--details: calls of Box2D, budgets, events and times, and what the columns mean",

@@ -175,10 +175,6 @@ void Progress::Show(const std::string &what, double part) {
         Draw();
 }
 
-void Progress::Tick() {
-    Show(m_what, m_part);
-}
-
 void Progress::Finish() {
     FinishUpTo(m_done + 1);
 }

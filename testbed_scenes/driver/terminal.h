@@ -78,8 +78,6 @@ public:
 
     /// What is being done now, and how much of the present unit (0 to 1).
     void Show(const std::string &what, double part = 0.0);
-    /// Draws again, for the clock's sake.
-    void Tick();
     /// One more unit is done.
     void Finish();
     /// So many units are done or no longer needed.

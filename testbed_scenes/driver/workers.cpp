@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "workers.h"
 
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
-#include <sstream>
+#include <cstring>
+#include <deque>
+#include <fstream>
+#include <memory>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace testbed {
 namespace {
@@ -11,8 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr char kStepPrefix[] = "step ";
 constexpr char kSummaryPrefix[] = "summary ";
-/// As much of an unexpected line as helps to recognise it.
-constexpr size_t kQuotedLength = 100;
 
 const char *ValueOf(const char *variable) {
     const char *value = std::getenv(variable);
@@ -23,71 +32,97 @@ bool StartsWith(const std::string &text, const std::string &prefix) {
     return text.compare(0, prefix.size(), prefix) == 0;
 }
 
-std::string Quote(const std::string &line) {
-    return "\"" + (line.size() > kQuotedLength ? line.substr(0, kQuotedLength) + "..." : line) + "\"";
+/// What this process has open, once more and from its beginning.
+std::ifstream Opened(int descriptor) {
+    return std::ifstream("/dev/fd/" + std::to_string(descriptor));
+}
+
+/// A command line for messages: the directory of the program says little and fills the line.
+std::string NameOf(const std::vector<std::string> &arguments) {
+    std::string line = fs::path(arguments[0]).filename();
+    for (size_t i = 1; i < arguments.size(); ++i)
+        line += " " + arguments[i];
+    return line;
+}
+
+/// How a program failed, with the last lines that it wrote to its errors.
+[[noreturn]] void Fail(const std::vector<std::string> &arguments, int status, std::ifstream errors) {
+    // Enough for an assertion, a sanitizer's headline or a backtrace's top.
+    constexpr size_t kErrorLines = 12;
+    std::string text = NameOf(arguments) + ": ";
+    if (WIFSIGNALED(status))
+        text +=
+            "killed by signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) + ")";
+    else
+        text += "exit status " + std::to_string(WEXITSTATUS(status));
+    std::deque<std::string> lines;
+    for (std::string line; std::getline(errors, line);) {
+        lines.push_back(line);
+        if (lines.size() > kErrorLines)
+            lines.pop_front();
+    }
+    for (const std::string &line : lines)
+        text += "\n    | " + line;
+    throw WorkerError(text);
+}
+
+/// Starts a program with this process's environment and some additions to it ("NAME=value"). It writes into
+/// these files.
+pid_t Spawn(const std::vector<std::string> &arguments, const std::vector<std::string> &environment,
+            int output, int errors) {
+    std::vector<std::string> words = {"env"};
+    words.insert(words.end(), environment.begin(), environment.end());
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char *> pointers;
+    for (std::string &word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+    pid_t child = -1;
+    const int failure = posix_spawnp(&child, "env", &actions, nullptr, pointers.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failure != 0)
+        throw WorkerError("cannot start " + arguments[0] + ": " + std::strerror(failure));
+    return child;
+}
+
+/// Runs a program to its end. Throws WorkerError if it fails; what onLine throws ends it.
+void RunProgram(const std::vector<std::string> &arguments, const std::vector<std::string> &environment,
+                const LineHandler &onLine) {
+    const std::unique_ptr<FILE, int (*)(FILE *)> errors(std::tmpfile(), std::fclose);
+    int ends[2];
+    // Close-on-exec, so that a worker started meanwhile does not hold another's pipe open.
+    if (errors == nullptr || pipe2(ends, O_CLOEXEC) != 0)
+        throw WorkerError(std::string("cannot start a worker: ") + std::strerror(errno));
+    const pid_t child = Spawn(arguments, environment, ends[1], fileno(errors.get()));
+    std::ifstream output = Opened(ends[0]);
+    close(ends[0]);
+    close(ends[1]);
+    int status = 0;
+    try {
+        for (std::string line; std::getline(output, line);)
+            onLine(line);
+    } catch (...) {
+        kill(child, SIGKILL);
+        waitpid(child, &status, 0);
+        throw;
+    }
+    waitpid(child, &status, 0);
+    if (status != 0)
+        Fail(arguments, status, Opened(fileno(errors.get())));
 }
 
 } // namespace
 
-std::vector<SceneInfo> ParseSceneList(const std::string &text) {
-    std::vector<SceneInfo> scenes;
-    try {
-        for (const nlohmann::json &entry : nlohmann::json::parse(text)) {
-            SceneInfo scene;
-            entry.at("name").get_to(scene.name);
-            entry.at("description").get_to(scene.description);
-            entry.at("group").get_to(scene.group);
-            entry.at("size").get_to(scene.size);
-            entry.at("seed").get_to(scene.seed);
-            entry.at("steps").get_to(scene.steps);
-            entry.at("vertices").get_to(scene.vertices);
-            entry.at("bodies").get_to(scene.bodies);
-            scenes.push_back(scene);
-        }
-    } catch (const nlohmann::json::exception &error) {
-        throw WorkerError(std::string("the worker's list of scenes cannot be read: ") + error.what());
-    }
-    return scenes;
-}
+// The list of scenes as a worker writes it.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SceneInfo, name, description, group, size, seed, steps, vertices, bodies)
 
 bool IsStepLine(const std::string &line) {
     return StartsWith(line, kStepPrefix);
-}
-
-bool IsSummaryLine(const std::string &line) {
-    return StartsWith(line, kSummaryPrefix);
-}
-
-nlohmann::json ParseSummaryLine(const std::string &line) {
-    try {
-        nlohmann::json summary = nlohmann::json::parse(line.substr(sizeof kSummaryPrefix - 1));
-        if (summary.is_object())
-            return summary;
-    } catch (const nlohmann::json::exception &) {
-        // Reported below, like a summary that is no object.
-    }
-    throw WorkerError("printed a summary that cannot be read: " + Quote(line));
-}
-
-DumpField ParseDumpLine(const std::string &line) {
-    const size_t space = line.rfind(' ');
-    if (space == std::string::npos || space == 0 || space + 1 == line.size())
-        throw WorkerError("printed something unexpected: " + Quote(line));
-    return {line.substr(0, space), line.substr(space + 1)};
-}
-
-std::string Readable(const std::string &value) {
-    if (!StartsWith(value, "0x") && !StartsWith(value, "-0x"))
-        return value;
-    char *end = nullptr;
-    const double number = std::strtod(value.c_str(), &end);
-    // A hash or a set of flags in hexadecimal has no exponent, and is clearer as it is.
-    if (*end != '\0' || value.find('p') == std::string::npos)
-        return value;
-    std::ostringstream text;
-    text.precision(9);
-    text << number << " (" << value << ")";
-    return text.str();
 }
 
 std::optional<double> NumberAt(const nlohmann::json &json, const std::string &pointer) {
@@ -98,7 +133,7 @@ std::optional<double> NumberAt(const nlohmann::json &json, const std::string &po
 }
 
 const char *NameOf(Side side) {
-    static constexpr const char *names[] = {"stock", "linked", "preloaded", "accelerated", "off"};
+    static constexpr const char *names[] = {"stock", "linked", "preloaded", "off"};
     return names[static_cast<size_t>(side)];
 }
 
@@ -131,14 +166,7 @@ fs::path Workers::FindLibrary(const char *name) const {
     return {};
 }
 
-bool Workers::CanAccelerate() const {
-    std::error_code ignored;
-    return fs::exists(ProgramOf(Side::Accelerated), ignored);
-}
-
 fs::path Workers::ProgramOf(Side side) const {
-    if (side == Side::Accelerated)
-        return m_directory / "boomerang-scene-accelerated";
     const bool stock = side == Side::Stock || side == Side::Preloaded;
     return m_directory / (stock ? "boomerang-scene" : "boomerang-scene-plugin");
 }
@@ -179,52 +207,46 @@ std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
 
 std::vector<SceneInfo> Workers::List() const {
     std::string text;
-    Process process({ProgramOf(Side::Stock).string(), "--list-json"}, {},
-                    [&text](const std::string &line) { text += line + "\n"; });
-    // Takes milliseconds; a program that is no worker may never end.
-    RunAll({&process}, nullptr, std::chrono::seconds(20));
-    if (!process.Succeeded())
-        throw WorkerError(process.Describe());
-    return ParseSceneList(text);
+    RunProgram({ProgramOf(Side::Stock).string(), "--list-json"}, {},
+               [&text](const std::string &line) { text += line + "\n"; });
+    try {
+        return nlohmann::json::parse(text).get<std::vector<SceneInfo>>();
+    } catch (const nlohmann::json::exception &error) {
+        throw WorkerError(std::string("the worker's list of scenes cannot be read: ") + error.what());
+    }
 }
 
-std::unique_ptr<Process> Workers::Start(const WorkerRequest &request, const WorkerOptions &options,
-                                        Process::LineHandler onLine) const {
-    std::vector<std::string> arguments = {ProgramOf(request.side).string(), "--steps",
-                                          std::to_string(request.steps), "--mode", request.mode};
-    if (request.course.empty())
-        arguments.insert(arguments.begin() + 1, request.scene);
+nlohmann::json Workers::Run(const WorkerRequest &request, const WorkerOptions &options,
+                            const LineHandler &onLine) const {
+    std::vector<std::string> arguments = {ProgramOf(request.side).string()};
     auto add = [&arguments](const char *name, const std::string &value) {
         arguments.emplace_back(name);
         arguments.push_back(value);
     };
-    if (!request.course.empty())
+    if (request.course.empty())
+        arguments.push_back(request.scene);
+    else
         add("--course", request.course);
+    add("--steps", std::to_string(request.steps));
+    add("--mode", request.mode);
     if (options.size)
         add("--size", std::to_string(*options.size));
     if (options.seed)
         add("--seed", std::to_string(*options.seed));
     arguments.insert(arguments.end(), request.extra.begin(), request.extra.end());
-
-    return std::make_unique<Process>(std::move(arguments), EnvironmentOf(request, options),
-                                     std::move(onLine));
-}
-
-nlohmann::json Workers::Summarise(const WorkerRequest &request, const WorkerOptions &options,
-                                  const std::function<void()> &onTick,
-                                  const Process::LineHandler &onLine) const {
     nlohmann::json summary;
-    const std::unique_ptr<Process> process = Start(request, options, [&](const std::string &line) {
-        if (IsSummaryLine(line))
-            summary = ParseSummaryLine(line);
-        else if (onLine)
-            onLine(line);
-    });
-    RunAll({process.get()}, onTick);
-    if (!process->Succeeded())
-        throw WorkerError(process->Describe());
-    if (summary.is_null())
-        throw WorkerError(process->CommandLine() + ": ended without a summary");
+    try {
+        RunProgram(arguments, EnvironmentOf(request, options), [&](const std::string &line) {
+            if (StartsWith(line, kSummaryPrefix))
+                summary = nlohmann::json::parse(line.substr(sizeof kSummaryPrefix - 1));
+            else if (onLine)
+                onLine(line);
+        });
+    } catch (const nlohmann::json::exception &error) {
+        throw WorkerError(NameOf(arguments) + ": printed what cannot be read: " + error.what());
+    }
+    if (!summary.is_object())
+        throw WorkerError(NameOf(arguments) + ": ended without a summary");
     return summary;
 }
 

@@ -3,19 +3,15 @@
 #define BOOMERANG_TESTBED_WORKERS_H
 
 #include <array>
-#include <chrono>
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <sys/types.h>
 
 /// @file
 /// The worker programs: how they are started, and how what they print is read.
@@ -28,53 +24,8 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A child process whose two output streams are read line by line while it runs.
-class Process {
-public:
-    using LineHandler = std::function<void(const std::string &line)>;
-
-    /// Starts arguments[0] (a path: PATH is not searched) with this process's environment and the given
-    /// additions ("NAME=value", replacing what is there). Throws WorkerError if it cannot be started.
-    Process(std::vector<std::string> arguments, const std::vector<std::string> &environment,
-            LineHandler onLine);
-    /// Kills a process that still runs, and waits for it.
-    ~Process();
-    Process(const Process &) = delete;
-    Process &operator=(const Process &) = delete;
-
-    /// Only after RunAll: the exit status was 0.
-    bool Succeeded() const;
-    /// "boomerang-scene needles --mode hash: killed by signal 11 (Segmentation fault)", with the last lines
-    /// it wrote to stderr.
-    std::string Describe() const;
-    /// The command line, for messages.
-    std::string CommandLine() const;
-
-private:
-    friend void RunAll(const std::vector<Process *> &processes, const std::function<void()> &onTick,
-                       std::optional<std::chrono::seconds> limit);
-    bool ReadOutput();
-    bool ReadErrors();
-    void Wait();
-
-    std::vector<std::string> m_arguments;
-    LineHandler m_onLine;
-    pid_t m_pid = -1;
-    int m_outputFd = -1;
-    int m_errorFd = -1;
-    std::string m_outputRest;
-    std::string m_errorRest;
-    std::deque<std::string> m_errorTail;
-    int m_status = 0;
-    bool m_reaped = false;
-};
-
-/// Reads from all processes at once until each has closed its streams, then waits for them. onTick, if any,
-/// is called a few times a second. What a line handler throws ends the reading and is passed on; the
-/// processes' destructors then end what still runs. With a time limit, whoever is not done by then is a
-/// failure.
-void RunAll(const std::vector<Process *> &processes, const std::function<void()> &onTick = nullptr,
-            std::optional<std::chrono::seconds> limit = std::nullopt);
+/// Gets a line that a worker prints.
+using LineHandler = std::function<void(const std::string &line)>;
 
 /// A scene as a worker's --list-json describes it.
 struct SceneInfo {
@@ -90,35 +41,17 @@ struct SceneInfo {
     bool NeedsPlugin() const { return vertices > 8 && bodies == "one"; }
 };
 
-std::vector<SceneInfo> ParseSceneList(const std::string &text);
-
 /// `step <i> <bodies> <contacts> <events>`, where the last three are hashes.
 bool IsStepLine(const std::string &line);
-
-bool IsSummaryLine(const std::string &line);
-nlohmann::json ParseSummaryLine(const std::string &line);
-
-/// A line of --dump: everything but the last word names the field ("body 12 position.x"), the last word is
-/// its value.
-struct DumpField {
-    std::string name;
-    std::string value;
-};
-
-DumpField ParseDumpLine(const std::string &line);
-/// A value as people read it: "0x1.8p+3" becomes "12 (0x1.8p+3)"; what is no hexadecimal float stays as it
-/// is.
-std::string Readable(const std::string &value);
 
 /// The number at a JSON pointer ("/plugin/checks"), or nothing where there is none (absent, null, not a
 /// number).
 std::optional<double> NumberAt(const nlohmann::json &json, const std::string &pointer);
 
 /// Stock Box2D, or Box2D with the plugin: never in one process. Plugin: the program that was linked
-/// with it. Preloaded: stock's program, with the plugin in
-/// LD_PRELOAD. Accelerated: a program with a Box2D inside that boomerang_accelerate was called for, where one
-/// was built. Off: as Plugin, but told to be off, which leaves polygons of any size and nothing else.
-enum class Side { Stock, Plugin, Preloaded, Accelerated, Off };
+/// with it. Preloaded: stock's program, with the plugin in LD_PRELOAD. Off: as Plugin, but told to be off,
+/// which leaves polygons of any size and nothing else.
+enum class Side { Stock, Plugin, Preloaded, Off };
 
 const char *NameOf(Side side);
 /// The side that the plugin's is held against: stock, or the plugin told to be off where stock Box2D does not
@@ -159,16 +92,11 @@ public:
     bool CanCount() const { return !m_countLibrary.empty(); }
     /// Whether there is a plugin to preload.
     bool CanPreload() const { return !m_plugin.empty(); }
-    /// Whether there is a worker with an accelerated Box2D inside (BOOMERANG_BOX2D_SOURCE).
-    bool CanAccelerate() const;
 
-    std::unique_ptr<Process> Start(const WorkerRequest &request, const WorkerOptions &options,
-                                   Process::LineHandler onLine) const;
     /// Runs a worker to its end and returns its summary; the other lines go to `onLine`. Throws WorkerError
-    /// if it fails or gives none.
-    nlohmann::json Summarise(const WorkerRequest &request, const WorkerOptions &options,
-                             const std::function<void()> &onTick = nullptr,
-                             const Process::LineHandler &onLine = nullptr) const;
+    /// if it fails or gives none, and what `onLine` throws. Several may run at once, on threads.
+    nlohmann::json Run(const WorkerRequest &request, const WorkerOptions &options,
+                       const LineHandler &onLine = nullptr) const;
 
 private:
     std::filesystem::path ProgramOf(Side side) const;

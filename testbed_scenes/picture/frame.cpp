@@ -42,10 +42,6 @@ std::string PrintFrame(const Frame &frame) {
     return kPrefix + nlohmann::json(frame).dump();
 }
 
-bool IsFrame(const std::string &line) {
-    return line.rfind(kPrefix, 0) == 0;
-}
-
 Frame ParseFrame(const std::string &line) {
     try {
         return nlohmann::json::parse(line.substr(sizeof kPrefix - 1)).get<Frame>();

@@ -154,7 +154,6 @@ struct Frame {
 
 /// `frame {json}`, a line without its end; keys are the members' names.
 std::string PrintFrame(const Frame &frame);
-bool IsFrame(const std::string &line);
 /// Throws std::runtime_error, which says what is wrong, on anything that is no such line.
 Frame ParseFrame(const std::string &line);
 

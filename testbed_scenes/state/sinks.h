@@ -50,7 +50,7 @@ private:
     uint64_t m_hash = 0xcbf29ce484222325u; // FNV's own beginning
 };
 
-/// One line per field: "body 12 position.x 0x1.8p+3".
+/// One line per field: "body 12 position.x = 12 (0x1.8p+3)".
 class TextSink {
 public:
     void Begin(const char *kind, uint64_t number) {
@@ -64,16 +64,17 @@ public:
     void Field(const char *name, uint32_t value) { Line(name, "0x%" PRIx32, value); }
     void Field(const char *name, int32_t value) { Line(name, "%" PRId32, value); }
     void Field(const char *name, float value) {
-        Line(name, "%a", static_cast<double>(std::isnan(value) ? std::fabs(value) : value));
+        const auto number = static_cast<double>(std::isnan(value) ? std::fabs(value) : value);
+        Line(name, "%.9g (%a)", number, number);
     }
     const std::string &Text() const { return m_text; }
     void Clear() { m_text.clear(); }
 
 private:
-    template <typename Value> void Line(const char *name, const char *format, Value value) {
+    template <typename... Values> void Line(const char *name, const char *format, Values... values) {
         char buffer[64];
-        std::snprintf(buffer, sizeof buffer, format, value);
-        m_text += m_object + " " + name + " " + buffer + "\n";
+        std::snprintf(buffer, sizeof buffer, format, values...);
+        m_text += m_object + " " + name + " = " + buffer + "\n";
     }
     std::string m_object, m_text;
 };

@@ -87,19 +87,6 @@ test_compare_reports_identical_scenes() {
         fail "lines wider than a wide terminal"
 }
 
-# Where there is a worker whose Box2D was compiled with the plugin it has its columns; nobody else speaks of it. (Which worker it
-# is tests nothing here: the linked one stands in.)
-test_an_accelerated_worker_has_its_columns() {
-    mkdir -p "$scratch/accelerated"
-    ln -sf "$bin/boomerang-scene" "$bin/boomerang-scene-plugin" "$scratch/accelerated"
-    expect 0 --workers "$scratch/accelerated" compare "$classic" --steps "$steps" --repeat 1
-    ! grep -q 'accelerated' "$scratch/out" || fail "a worker that is not there was run"
-    ln -sf "$bin/boomerang-scene-plugin" "$scratch/accelerated/boomerang-scene-accelerated"
-    expect 0 --workers "$scratch/accelerated" compare "$classic" --steps "$steps" --repeat 1
-    out_has ' linked +from +to +accelerated$'
-    out_has "^$classic +$steps +identical +- +identical +identical( +[0-9.]+){6}\$"
-}
-
 # Whatever the caller has in the environment is not what the workers get.
 test_compare_ignores_the_callers_plugin_settings() {
     BOOMERANG=off BOOMERANG_VERBOSE=1 expect 0 compare "$hard" --steps "$steps" --no-time --quiet
