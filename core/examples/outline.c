@@ -1,91 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A polygon with a hole, as an editor saves it, becomes convex pieces; one that crosses itself becomes an
-// error that says where. Links boomerang::core alone.
-//
-//   example_outline FILE   cuts the outline in the file: a point `x y` (or `x,y`) a line, an empty line
-//                          between rings, first the outer one, then the holes; # begins a remark. The
-//                          pieces are printed in the same form, which gnuplot draws, too.
-#include <stdbool.h>
+// A polygon with a hole becomes convex pieces; one that crosses itself becomes an error that says where.
+// Links boomerang::core alone.
 #include <stdio.h>
-#include <string.h>
 
 #include "boomerang/boomerang.h"
 
-enum { most_points = 65535 };
-static bmr_vec2 file_points[most_points];
-static uint32_t file_counts[most_points];
-static unsigned file_lines[most_points];
-
-// Fills the arrays; returns the number of rings, and 0 where the file is none of an outline.
-static uint32_t read_outline(const char *path, FILE *file) {
-    char text[256];
-    uint32_t count = 0, rings = 0;
-    bool in_ring = false;
-    for (unsigned line = 1; fgets(text, sizeof text, file) != NULL; ++line) {
-        char *remark = strchr(text, '#');
-        if (remark != NULL)
-            *remark = '\0';
-        bmr_vec2 point;
-        char rest;
-        const int read = sscanf(text, "%lf%*[ \t,]%lf %c", &point.x, &point.y, &rest);
-        if (read == EOF) { // nothing but a remark ends no ring
-            in_ring = in_ring && remark != NULL;
-            continue;
-        }
-        if (read != 2 || count == most_points) {
-            fprintf(stderr,
-                    read != 2 ? "%s:%u: not a point, which is two numbers\n" : "%s:%u: too many points\n",
-                    path, line);
-            return 0;
-        }
-        if (!in_ring)
-            file_counts[rings++] = 0;
-        in_ring = true;
-        ++file_counts[rings - 1];
-        file_lines[count] = line;
-        file_points[count++] = point;
-    }
-    if (rings == 0)
-        fprintf(stderr, "%s has no points (a point `x y` a line)\n", path);
-    return rings;
-}
-
-static int cut_file(const char *path) {
-    FILE *file = fopen(path, "r");
-    if (file == NULL) {
-        perror(path);
-        return 2;
-    }
-    const bmr_rings rings = {file_points, file_counts, read_outline(path, file)};
-    fclose(file);
-    if (rings.ring_count == 0)
-        return 2;
-    bmr_outline_pieces *pieces;
-    bmr_outline_fault fault;
-    const bmr_error error = bmr_outline_decompose(&rings, NULL, NULL, &pieces, &fault);
-    if (error != BMR_OK) {
-        fprintf(stderr, "%s: %s", path, bmr_error_describe(error));
-        for (int i = 0; i < 2 && fault.error != BMR_OK; ++i)
-            if (fault.edge[i] != BMR_OUTLINE_NONE)
-                fprintf(stderr, "; the edge from line %u", file_lines[fault.edge[i]]);
-        fprintf(stderr, fault.error != BMR_OK ? "; near %g %g\n" : "\n", fault.where.x, fault.where.y);
-        return 2;
-    }
-    printf("# %u rings, %u notches: %u convex pieces\n", rings.ring_count, pieces->notch_count,
-           pieces->piece_count);
-    for (uint32_t p = 0; p < pieces->piece_count; ++p) {
-        for (uint32_t e = pieces->first[p]; e < pieces->first[p + 1]; ++e)
-            printf("%.17g %.17g\n", pieces->points[pieces->edges[e].point].x,
-                   pieces->points[pieces->edges[e].point].y);
-        printf("\n");
-    }
-    bmr_outline_pieces_destroy(pieces, NULL);
-    return 0;
-}
-
-int main(int argc, char **argv) {
-    if (argc > 1)
-        return cut_file(argv[1]);
+int main(void) {
     // A nut: twelve corners outside, every other one a notch, and a hole of four.
     const bmr_vec2 points[16] = {{6, 0},   {4, 2},   {3, 5},    {0, 4},   {-3, 5}, {-4, 2},
                                  {-6, 0},  {-4, -2}, {-3, -5},  {0, -4},  {3, -5}, {4, -2},

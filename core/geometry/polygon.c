@@ -260,20 +260,6 @@ bmr_error bmr_polygon_create_raw(const bmr_vec2 *vertices, size_t count, const b
     return error == BMR_OK ? make(vertices, count, allocator, polygon) : error;
 }
 
-bmr_error bmr_polygon_copy(const bmr_polygon *polygon, const bmr_allocator *allocator, bmr_polygon **copy) {
-    if (!polygon || !copy)
-        return BMR_ERROR_NULL_ARGUMENT;
-    bmr_polygon *made = bmr_allocate(allocator, bmr_polygon_bytes(polygon->count));
-    if (!made)
-        return BMR_ERROR_NO_MEMORY;
-    bmr_vec2 *own = vertices_of(made);
-    memcpy(own, polygon->vertices, polygon->count * sizeof *own);
-    *made = *polygon;
-    made->vertices = own;
-    *copy = made;
-    return BMR_OK;
-}
-
 void bmr_polygon_destroy(bmr_polygon *polygon, const bmr_allocator *allocator) {
     if (polygon)
         bmr_release(allocator, polygon, bmr_polygon_bytes(polygon->count));

@@ -275,24 +275,6 @@ bmr_error bmr_build_tree(const bmr_build *build, const bmr_allocator *allocator,
     return error;
 }
 
-bmr_error bmr_hierarchy_copy(const bmr_hierarchy *hierarchy, const bmr_polygon *polygon,
-                             const bmr_allocator *allocator, bmr_hierarchy **copy) {
-    if (!hierarchy || !polygon || !copy)
-        return BMR_ERROR_NULL_ARGUMENT;
-    if (hierarchy->stamp != polygon->stamp)
-        return BMR_ERROR_WRONG_HIERARCHY;
-    const size_t size = bmr_hierarchy_bytes(hierarchy);
-    bmr_hierarchy *made = bmr_allocate(allocator, size);
-    if (!made)
-        return BMR_ERROR_NO_MEMORY;
-    memcpy(made, hierarchy, size);
-    made->polygon = polygon;
-    if (made->direction_count > 0) // else they are the compass's
-        made->directions = directions_of(made);
-    *copy = made;
-    return BMR_OK;
-}
-
 void bmr_hierarchy_destroy(bmr_hierarchy *hierarchy, const bmr_allocator *allocator) {
     if (hierarchy)
         bmr_release(allocator, hierarchy, bmr_hierarchy_bytes(hierarchy));

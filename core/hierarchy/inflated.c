@@ -99,11 +99,3 @@ bmr_entry bmr_inflated_entry(const bmr_hierarchy *hierarchy, uint32_t level, dou
     }
     return entry;
 }
-
-double bmr_envelope_height(const bmr_hierarchy *hierarchy, uint32_t level) {
-    double height = 0.0;
-    for (bmr_edge edge = BMR_ROOTS; edge < hierarchy->count; ++edge)
-        if (hierarchy->nodes[edge].level == (uint64_t)level + 1)
-            height = fmax(height, bmr_hierarchy_height(hierarchy, edge));
-    return height;
-}

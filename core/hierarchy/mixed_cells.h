@@ -140,7 +140,6 @@ bmr_error bmr_mixed_tiling_create(const bmr_mixed *mixed, const bmr_allocator *a
                                   bmr_mixed_tiling **tiling);
 void bmr_mixed_tiling_destroy(bmr_mixed_tiling *tiling, const bmr_allocator *allocator);
 size_t bmr_mixed_tiling_bytes(const bmr_mixed_tiling *tiling);
-const bmr_mixed *bmr_mixed_tiling_mixed(const bmr_mixed_tiling *tiling);
 /// Tiles are 0 .. count-1, coarse before fine.
 uint32_t bmr_mixed_tiling_count(const bmr_mixed_tiling *tiling);
 const bmr_mixed_cell *bmr_mixed_tiling_cell(const bmr_mixed_tiling *tiling, uint32_t tile);

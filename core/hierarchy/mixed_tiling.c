@@ -202,9 +202,6 @@ void bmr_mixed_tiling_destroy(bmr_mixed_tiling *tiling, const bmr_allocator *all
 size_t bmr_mixed_tiling_bytes(const bmr_mixed_tiling *tiling) {
     return tiling->bytes;
 }
-const bmr_mixed *bmr_mixed_tiling_mixed(const bmr_mixed_tiling *tiling) {
-    return &tiling->mixed;
-}
 uint32_t bmr_mixed_tiling_count(const bmr_mixed_tiling *tiling) {
     return tiling->count;
 }

@@ -418,10 +418,6 @@ const bmr_motion_piece *bmr_motion_piece_at(const bmr_motion *motion, double tim
     return &motion->pieces[i].piece;
 }
 
-size_t bmr_motion_piece_count(const bmr_motion *motion) {
-    return motion->count;
-}
-
 bmr_pose bmr_motion_pose(const bmr_motion *motion, double time, bmr_vec2 *velocity, double *spin) {
     const bmr_instant now = bmr_piece_instant(bmr_motion_piece_at(motion, time, NULL), time);
     if (velocity)

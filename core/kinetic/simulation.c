@@ -407,10 +407,6 @@ double bmr_simulation_time(const bmr_simulation *s) {
     return s->time;
 }
 
-size_t bmr_simulation_pair_count(const bmr_simulation *s) {
-    return s->pair_count;
-}
-
 const bmr_kds *bmr_simulation_pair(const bmr_simulation *s, size_t index, size_t *a, size_t *b) {
     const pair *p = &s->pairs[index];
     if (a)

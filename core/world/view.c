@@ -36,10 +36,6 @@ bmr_error bmr_world_get(const bmr_world *w, bmr_body body, bmr_body_state *state
     return BMR_OK;
 }
 
-size_t bmr_world_body_count(const bmr_world *w) {
-    return w->counts.bodies;
-}
-
 bmr_body bmr_world_next_body(const bmr_world *w, size_t *place) {
     while (*place < w->places) {
         const bmr_world_body *r = w->bodies[(*place)++];

@@ -126,7 +126,7 @@ static bmr_simulation *begin(const scene *s, const bmr_kds_info *structure, watc
 static void check_between(const scene *s, const bmr_simulation *simulation, size_t *wrong, size_t *near) {
     const double time = bmr_simulation_time(simulation);
     assert_int_equal(bmr_simulation_audit(simulation), BMR_OK);
-    for (size_t i = 0; i < bmr_simulation_pair_count(simulation); i++) {
+    for (size_t i = 0; i < bmr_simulation_get_counts(simulation).pairs; i++) {
         size_t a, b;
         const bmr_kds *kds = bmr_simulation_pair(simulation, i, &a, &b);
         const double distance = distance_at(s, a, b, time), margin = bmr_default_kds_def().margin;
@@ -159,7 +159,7 @@ TEST(a_new_plan_costs_its_own_pairs_alone) {
         const bmr_motion_piece piece = random_plan(&random, 4.0, now, pose);
         assert_int_equal(bmr_motion_change(s.motions[body], now, &piece), BMR_OK);
         size_t conditions = 0;
-        for (size_t i = 0; i < bmr_simulation_pair_count(simulation); i++) {
+        for (size_t i = 0; i < bmr_simulation_get_counts(simulation).pairs; i++) {
             size_t a, b;
             bmr_condition k[BMR_KDS_MAX_CONDITIONS];
             const bmr_kds *kds = bmr_simulation_pair(simulation, i, &a, &b);

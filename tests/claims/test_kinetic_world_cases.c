@@ -378,7 +378,7 @@ TEST(ids_are_never_those_of_another_body) {
     const bmr_body second = fly(s, b, 10.0, 0.0, 0.0, 0.0, 0.0);
     advance(s, 20.0);
     assert_int_equal(s->count, 1);
-    assert_int_equal(bmr_world_body_count(s->world), 1);
+    assert_int_equal(bmr_world_get_counts(s->world).bodies, 1);
     const bmr_body third = add_piece(s, b, flight(20.0, -10.0, 0.0, 0.0, 0.0, 0.0), 0.0);
     assert_int_not_equal(third, first);
     assert_int_equal(third & UINT32_MAX, first & UINT32_MAX); // its place is used again
@@ -498,6 +498,6 @@ TEST(a_place_whose_ids_are_used_up_is_left_alone) {
         assert_int_equal(body & UINT32_MAX, 1);
         assert_int_not_equal(body, first);
         assert_int_equal(bmr_world_remove(s->world, body), BMR_OK);
-        assert_int_equal(bmr_world_body_count(s->world), 0);
+        assert_int_equal(bmr_world_get_counts(s->world).bodies, 0);
     }
 }

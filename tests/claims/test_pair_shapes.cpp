@@ -174,24 +174,21 @@ TEST_CASE("a polygon that was made where another was freed is another") {
 
 TEST_CASE("a copy of a polygon is the same polygon: nothing starts anew") {
     const Body one(Regular(20, 1.0, 0.2)), other(Box(0.5, 0.5));
-    bmr_polygon *copy = nullptr, *rebuilt = nullptr;
-    REQUIRE(bmr_polygon_copy(one.polygon, nullptr, &copy) == BMR_OK);
-    REQUIRE(bmr_polygon_create_raw(one.polygon->vertices, one.polygon->count, nullptr, &rebuilt) == BMR_OK);
+    bmr_polygon *copy = nullptr;
+    REQUIRE(bmr_polygon_create_raw(one.polygon->vertices, one.polygon->count, nullptr, &copy) == BMR_OK);
     CHECK(copy->stamp == one.polygon->stamp);
-    CHECK(rebuilt->stamp == one.polygon->stamp);
     const bmr_pair_def def = Def(BMR_FREE_DIRECTION);
     bmr_pair pair = NewPair();
     bmr_counters counters = {};
     const bmr_observer observer = {&counters, nullptr, nullptr};
     for (int i = 0; i < 300; ++i) {
-        const bmr_polygon *const which[] = {one.polygon, copy, rebuilt};
+        const bmr_polygon *const which[] = {one.polygon, copy};
         const bmr_pose pose = At(1.9 * std::cos(0.02 * i), 1.9 * std::sin(0.02 * i), 0.05 * i);
-        Advance(&pair, def, {which[i % 3], {}, {}}, {other.polygon, {}, {}}, pose, &observer);
+        Advance(&pair, def, {which[i % 2], {}, {}}, {other.polygon, {}, {}}, pose, &observer);
     }
     CHECK(Starts(counters) == 1);
     CHECK(counters.checks == 300);
     bmr_polygon_destroy(copy, nullptr);
-    bmr_polygon_destroy(rebuilt, nullptr);
 }
 
 TEST_CASE("polygons of other vertices have another stamp, and one that was written to is found") {
@@ -209,7 +206,7 @@ TEST_CASE("polygons of other vertices have another stamp, and one that was writt
             bmr_polygon_destroy(polygon, nullptr);
         }
     bmr_polygon *written = nullptr;
-    REQUIRE(bmr_polygon_copy(box.polygon, nullptr, &written) == BMR_OK);
+    REQUIRE(bmr_polygon_create_raw(box.polygon->vertices, box.polygon->count, nullptr, &written) == BMR_OK);
     CHECK(bmr_polygon_audit(written) == BMR_OK);
     const_cast<bmr_vec2 *>(written->vertices)[1].x += 1e-12; // within every other promise
     written->radius += 1.0;

@@ -20,10 +20,9 @@
 /// @file
 /// One row for each function: a call whose arguments name their bad values where they are handed over.
 ///
-///     Row("bmr_polygon_copy", [](Asked &ask) {
-///         bmr_polygon *made = Untouched<bmr_polygon>();
-///         return ask.Says(bmr_polygon_copy(ask.NotNull("polygon", Round().polygon), ask.Allocator(),
-///                                          ask.Result("result", &made)));
+///     Row("bmr_compass_create", [](Asked &ask) {
+///         bmr_compass *made = Untouched<bmr_compass>();
+///         return ask.Says(bmr_compass_create(8, ask.Allocator(), ask.Result("result", &made)));
 ///     });
 ///
 /// `Row` makes the call with good arguments, and then once for each bad value, which must give the answer of

@@ -55,12 +55,6 @@ TEST_CASE("boomerang/polygon.h, boomerang/minkowski.h") {
             return MadePolygon(ask, error, made);
         });
     }
-    Row("bmr_polygon_copy", [](Asked &ask) {
-        bmr_polygon *made = Untouched<bmr_polygon>();
-        const bmr_error error = bmr_polygon_copy(ask.NotNull("polygon", Round().polygon), ask.Allocator(),
-                                                 ask.Result("result", &made));
-        return MadePolygon(ask, error, made);
-    });
     Row("bmr_polygon_audit", [](Asked &ask) {
         bmr_polygon_destroy(nullptr, nullptr);
         return ask.Says(bmr_polygon_audit(ask.NotNull("polygon", Round().polygon)));
@@ -156,16 +150,6 @@ TEST_CASE("boomerang/hierarchy.h, boomerang/inflated.h") {
                 build(ask.NotNull("polygon", Round().polygon), ask.Allocator(), ask.Result("result", &made));
             return MadeHierarchy(ask, error, made, ask.Allocator());
         });
-    Row("bmr_hierarchy_copy", [](Asked &ask) {
-        bmr_hierarchy *made = nullptr;
-        static const Body narrower(Ellipse(60, 2.9));
-        bmr_polygon *p = ask.Or("polygon of as many vertices", Round().polygon,
-                                {{narrower.polygon, BMR_ERROR_WRONG_HIERARCHY}});
-        const bmr_error error =
-            bmr_hierarchy_copy(ask.NotNull("hierarchy", Round().hierarchies[BMR_HIERARCHY_DUDLEY]),
-                               ask.NotNull("polygon", p), ask.Allocator(), ask.Result("result", &made));
-        return MadeHierarchy(ask, error, made, ask.Allocator());
-    });
     Row("bmr_hierarchy_audit", [](Asked &ask) {
         return ask.Says(bmr_hierarchy_audit(ask.NotNull("hierarchy", Round().hierarchies[0])));
     });

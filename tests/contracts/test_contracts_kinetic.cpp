@@ -332,7 +332,7 @@ std::string InWorld(Asked &ask, const std::function<bmr_error(bmr_world *)> &cal
         bmr_world_advance(world, 1.0) != BMR_OK)
         return "does not run";
     const bmr_error error = call(ask.NotNull("world", world));
-    const bool good = (error == BMR_OK || bmr_world_body_count(world) == 1) &&
+    const bool good = (error == BMR_OK || bmr_world_get_counts(world).bodies == 1) &&
                       bmr_world_advance(world, 2.0) == BMR_OK && bmr_world_audit(world) == BMR_OK;
     bmr_world_destroy(world);
     return ask.Says(error) + (good ? "" : ", and it is not as before");
@@ -367,7 +367,7 @@ std::string LiveInTightWorld(Asked &ask) {
         const bmr_body_def def = bmr_default_body_def(&shape, motion);
         bmr_body body = 77;
         attempt([&] { return bmr_world_add(world, &def, &body); },
-                [&] { return body == 77 && bmr_world_body_count(world) == count; });
+                [&] { return body == 77 && bmr_world_get_counts(world).bodies == count; });
         ++count;
     }
     for (int i = 0; i < 9; ++i) {
@@ -377,13 +377,13 @@ std::string LiveInTightWorld(Asked &ask) {
         const bmr_body_def def = bmr_default_body_def(&shape, rests);
         bmr_body body = 77;
         attempt([&] { return bmr_world_add(world, &def, &body); },
-                [&] { return body == 77 && bmr_world_body_count(world) == count; });
+                [&] { return body == 77 && bmr_world_get_counts(world).bodies == count; });
         bmr_motion_destroy(rests);
         ++count;
     }
     for (; count > 5; --count)
         attempt([&] { return bmr_world_remove(world, count - 1); },
-                [&] { return bmr_world_body_count(world) == count; });
+                [&] { return bmr_world_get_counts(world).bodies == count; });
     // A motion that jumps at once, and again later.
     const bmr_motion_piece there = bmr_piece_rest({{20, 0}, 1, 0}), back = bmr_piece_rest({{-20, 0}, 1, 0});
     bmr_motion *plan = nullptr;
@@ -425,7 +425,7 @@ TEST_CASE("boomerang/world.h") {
         bmr_world *made = nullptr;
         const bmr_error error = bmr_world_create(&def, time, ask.Allocator(), ask.Result("result", &made));
         if (error == BMR_OK) {
-            const size_t bodies = bmr_world_body_count(made);
+            const size_t bodies = bmr_world_get_counts(made).bodies;
             ask.Made(&bodies, sizeof bodies);
             bmr_world_destroy(made);
         }

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# boomerang-testbed events and figures: exit codes, messages, files, and what the numbers must be. And core's example
-# that cuts the outline of a file.
+# boomerang-testbed events and figures: exit codes, messages, files, and what the numbers must be.
 #
 #   test_theory_cli.sh DIRECTORY-OF-THE-PROGRAMS
 set -uo pipefail
@@ -94,29 +93,6 @@ test_figures_are_drawn() {
     done
     says 'the nearest is "dudley"' 2 figures dudly
     says 'cannot make the directory' 3 figures dudley -o /dev/null/x
-}
-
-# cut_file STATUS FILE TEXT [PATTERN]: what core's example makes of a file of this text; where it fails its words have the pattern.
-cut_file() {
-    local status=0
-    claim="example_outline $2"
-    { printf '%b' "$3" >"$scratch/$2"; } 2>/dev/null
-    "$bin/example_outline" "$scratch/$2" >"$scratch/out" 2>"$scratch/err" || status=$?
-    [ "$status" -eq "$1" ] || fail "exit status $status, not $1"
-    [ -z "${4:-}" ] || err_has "$4"
-}
-
-test_an_outline_is_cut() {
-    cut_file 0 l.txt '# an L with a hole\n0 0\n4,0\n4 2 # the notch is next\n2 2\n# still the same ring\n2 4\n0 4\n\n\n0.5 0.5\n1 0.5\n1 1\n'
-    out_has '^# 2 rings, 4 notches: [3-8] convex pieces$'
-    awk 'NF == 2 { x[++n] = $1; y[n] = $2 } NF == 0 { for (i = 1; i <= n; ++i) { k = i % n + 1; area += (x[i] * y[k] - x[k] * y[i]) / 2 } n = 0 }
-        END { exit area != 12 - 0.125 }' "$scratch/out" || fail "the pieces are not the outline"
-    # What is wrong is said with the lines of the file.
-    cut_file 2 bow.txt '0 0\n2 2\n2 0\n0 2\n' 'cross.*the edge from line 1; the edge from line 3; near 1 1$'
-    cut_file 2 word.txt '0 0\n1 0\n1 x\n' 'word.txt:3: not a point'
-    cut_file 2 two.txt '0 0\n1 0\n'
-    cut_file 2 none.txt '' 'has no points'
-    cut_file 2 no/such.txt ''
 }
 
 run_tests

@@ -57,7 +57,7 @@ static bmr_body any_body(script *s) {
     const uint8_t how = fuzz_u8(&s->bytes);
     if (how > 250)
         return fuzz_u64(&s->bytes); // there is none of that name
-    const size_t count = bmr_world_body_count(s->world);
+    const size_t count = bmr_world_get_counts(s->world).bodies;
     size_t place = 0;
     bmr_body body = BMR_NO_BODY;
     for (size_t i = 0; count > 0 && i <= how % count; i++)
@@ -87,7 +87,7 @@ static void add(script *s) {
     const bmr_shape *shape = &s->shapes[fuzz_below(&s->bytes, SHAPES)];
     bmr_motion *motion = fuzz_motion(&s->bytes, &range);
     const uint8_t how = fuzz_u8(&s->bytes);
-    if (bmr_world_body_count(s->world) >= MOST_BODIES) {
+    if (bmr_world_get_counts(s->world).bodies >= MOST_BODIES) {
         bmr_motion_destroy(motion);
         return;
     }

@@ -91,14 +91,6 @@ bmr_error bmr_hierarchy_build(bmr_hierarchy_kind kind, const bmr_polygon *polygo
 bool bmr_hierarchy_uses_compass(bmr_hierarchy_kind kind);
 /// "compass", "dudley", "dobkin-kirkpatrick"; NULL for anything else.
 const char *bmr_hierarchy_kind_name(bmr_hierarchy_kind kind);
-/// Copies a hierarchy over `polygon`: the one that it was built over, or another one of the same vertices
-/// (bmr_polygon_copy), which its stamp tells. The copy is one block of bmr_hierarchy_bytes(hierarchy),
-/// aligned for any type. `allocator` is asked for this one block and nothing else, so a block of known size
-/// can hold it. The copy gives the answers of the original. The original may be destroyed afterwards, and its
-/// polygon too if it is another one. A compass table is still shared. O(bytes), nothing is sorted. Errors:
-/// NULL_ARGUMENT, NO_MEMORY, WRONG_HIERARCHY if the polygon has other vertices; then *copy is untouched.
-bmr_error bmr_hierarchy_copy(const bmr_hierarchy *hierarchy, const bmr_polygon *polygon,
-                             const bmr_allocator *allocator, bmr_hierarchy **copy);
 /// NULL is no error.
 void bmr_hierarchy_destroy(bmr_hierarchy *hierarchy, const bmr_allocator *allocator);
 

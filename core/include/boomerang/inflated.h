@@ -65,10 +65,6 @@ typedef struct bmr_entry {
 bmr_entry bmr_inflated_entry(const bmr_hierarchy *hierarchy, uint32_t level, double offset, bmr_vec2 start,
                              bmr_vec2 direction);
 
-/// The largest height of a boomerang that the envelope of a level leaves uncut: the largest distance of a
-/// corner from the polygon. O(edges of the level * log n). For tests and measurements.
-double bmr_envelope_height(const bmr_hierarchy *hierarchy, uint32_t level);
-
 #ifdef __cplusplus
 }
 #endif

@@ -92,7 +92,6 @@ bmr_error bmr_motion_change(bmr_motion *motion, double time, const bmr_motion_pi
 /// The piece that holds at `time` (at a change: the later one). If `end` is not NULL, it gets the time at
 /// which the piece ends (INFINITY: never). The pointer is valid until the next change of plan. O(log pieces).
 const bmr_motion_piece *bmr_motion_piece_at(const bmr_motion *motion, double time, double *end);
-size_t bmr_motion_piece_count(const bmr_motion *motion);
 /// The pose at `time`. `velocity` and `spin`, if not NULL, get the velocity of the origin and the rate of the
 /// angle.
 bmr_pose bmr_motion_pose(const bmr_motion *motion, double time, bmr_vec2 *velocity, double *spin);

@@ -54,10 +54,6 @@ bmr_error bmr_polygon_create(const bmr_vec2 *points, size_t count, const bmr_all
 bmr_error bmr_polygon_create_raw(const bmr_vec2 *vertices, size_t count, const bmr_allocator *allocator,
                                  bmr_polygon **polygon);
 
-/// A copy of the polygon in one block of `allocator`, which is asked for nothing else. O(n). Errors:
-/// NULL_ARGUMENT, NO_MEMORY.
-bmr_error bmr_polygon_copy(const bmr_polygon *polygon, const bmr_allocator *allocator, bmr_polygon **copy);
-
 /// Releases the block; `allocator` as at creation. NULL is no error.
 void bmr_polygon_destroy(bmr_polygon *polygon, const bmr_allocator *allocator);
 

@@ -83,8 +83,7 @@ double bmr_simulation_time(const bmr_simulation *simulation);
 /// O(bodies) searches. Errors: NULL_ARGUMENT, OUT_OF_RANGE (no such body), those of bmr_failure_time.
 bmr_error bmr_simulation_replan(bmr_simulation *simulation, size_t body);
 
-size_t bmr_simulation_pair_count(const bmr_simulation *simulation);
-/// The structure of one pair (index < pair count). `a` and `b`, if not NULL, get its bodies.
+/// The structure of one pair (index < bmr_simulation_counts.pairs). `a` and `b`, if not NULL, get its bodies.
 const bmr_kds *bmr_simulation_pair(const bmr_simulation *simulation, size_t pair, size_t *a, size_t *b);
 bmr_simulation_counts bmr_simulation_get_counts(const bmr_simulation *simulation);
 /// Calls bmr_kds_audit on every pair at the present time, and returns the first error.

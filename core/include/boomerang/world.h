@@ -287,7 +287,6 @@ typedef struct bmr_body_state {
 } bmr_body_state;
 /// The state of a body at the present time. Errors: NULL_ARGUMENT, OUT_OF_RANGE (no such body). O(1).
 bmr_error bmr_world_get(const bmr_world *world, bmr_body body, bmr_body_state *state);
-size_t bmr_world_body_count(const bmr_world *world);
 /// Goes through the bodies, in the order of their ids' lower halves. Returns the first whose place is at or
 /// after *place, and sets *place to the next; BMR_NO_BODY at the end. Begin with 0.
 bmr_body bmr_world_next_body(const bmr_world *world, size_t *place);
