@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The optimum covers and is small, clear decompositions bracket a known size, fits find known growth, and the
 // adversaries cost the rivals what the paper says.
+#include "adversaries.h"
 #include "checks.h"
 #include "course_stage.h"
 
@@ -234,27 +235,23 @@ static bmr_run run_structure(const char *name, const bmr_course *course, double 
     return run;
 }
 
-static uint64_t adversary_events(bmr_adversary_kind kind, size_t n, double separation, const char *name) {
-    bmr_adversary adversary;
-    assert_int_equal(bmr_adversary_create(kind, n, separation, NULL, &adversary), BMR_OK);
-    for (int k = 0; k < 2; k++)
-        assert_int_equal(bmr_polygon_audit(adversary.polygons[k]), BMR_OK);
-    const bmr_course course = {{adversary.polygons[0], adversary.polygons[1]},
-                               {adversary.motions[0], adversary.motions[1]},
-                               0.0,
-                               1.0};
+static uint64_t adversary_events(adversary_kind kind, size_t n, double separation, const char *name) {
+    const adversary made = adversary_make(kind, n, separation);
+    own_polygon *a = made.polygons[0], *b = made.polygons[1];
+    own_motion *p = made.motions[0], *q = made.motions[1];
+    assert_int_equal(bmr_polygon_audit(a), BMR_OK);
+    assert_int_equal(bmr_polygon_audit(b), BMR_OK);
+    const bmr_course course = {{a, b}, {p, q}, 0.0, 1.0};
     double least, time;
     assert_int_equal(bmr_least_distance(course.polygons[0], course.polygons[1], course.motions[0],
                                         course.motions[1], 0.0, 1.0, 1e-3 * separation, &least, &time),
                      BMR_OK);
     assert_true(fabs(least - separation) <= 0.01 * separation + 2.0 * (1.0 - cos(PI / (double)n)));
-    const uint64_t events = run_structure(name, &course, 2.0).events;
-    bmr_adversary_destroy(&adversary, NULL);
-    return events;
+    return run_structure(name, &course, 2.0).events;
 }
 
 /// The exponent of events in n, from n = 16 to 128; `last`: how many there are at 128.
-static double exponent_in_n(bmr_adversary_kind kind, double separation, const char *name, double *last) {
+static double exponent_in_n(adversary_kind kind, double separation, const char *name, double *last) {
     double x[4], y[4];
     for (int k = 0; k < 4; k++) {
         x[k] = 16 << k;
@@ -262,8 +259,9 @@ static double exponent_in_n(bmr_adversary_kind kind, double separation, const ch
     }
     bmr_growth growth;
     assert_int_equal(bmr_fit_growth(x, y, 4, &growth), BMR_OK);
-    printf("%s, separation %g, %s: %g %g %g %g events, exponent %.2f\n", bmr_adversary_name(kind), separation,
-           name, y[0] - 1, y[1] - 1, y[2] - 1, y[3] - 1, growth.exponent);
+    printf("%s, separation %g, %s: %g %g %g %g events, exponent %.2f\n",
+           kind == ADVERSARY_PASS ? "pass" : "gear", separation, name, y[0] - 1, y[1] - 1, y[2] - 1, y[3] - 1,
+           growth.exponent);
     *last = y[3] - 1.0;
     return growth.exponent;
 }
@@ -273,15 +271,15 @@ TEST(test_adversaries_cost_the_rivals_n_and_n_squared_at_any_separation) {
     for (int step = 0; step < steps; step++) {
         const double separation = 0.1 * pow(30.0, step);
         double last;
-        assert_true(exponent_in_n(BMR_ADVERSARY_PASS, separation, "closest-features", &last) > 0.9);
-        assert_true(exponent_in_n(BMR_ADVERSARY_PASS, separation, "inner-tangent", &last) > 0.9);
+        assert_true(exponent_in_n(ADVERSARY_PASS, separation, "closest-features", &last) > 0.9);
+        assert_true(exponent_in_n(ADVERSARY_PASS, separation, "inner-tangent", &last) > 0.9);
         // (This one walks along few edges where the two are far apart.)
         assert_true(step > 0 ||
-                    exponent_in_n(BMR_ADVERSARY_PASS, separation, "separating-edge-walk", &last) > 0.9);
+                    exponent_in_n(ADVERSARY_PASS, separation, "separating-edge-walk", &last) > 0.9);
         // The control: a structure that is sensitive to separation does not care for n.
-        assert_true(exponent_in_n(BMR_ADVERSARY_PASS, separation, "free-fd2", &last) < 0.2);
-        assert_true(exponent_in_n(BMR_ADVERSARY_GEAR, separation, "closest-features", &last) > 1.8);
-        assert_true(100 * (double)adversary_events(BMR_ADVERSARY_GEAR, 128, separation, "free-fd2") < last);
+        assert_true(exponent_in_n(ADVERSARY_PASS, separation, "free-fd2", &last) < 0.2);
+        assert_true(exponent_in_n(ADVERSARY_GEAR, separation, "closest-features", &last) > 1.8);
+        assert_true(100 * (double)adversary_events(ADVERSARY_GEAR, 128, separation, "free-fd2") < last);
     }
 }
 
@@ -298,12 +296,10 @@ TEST(test_a_run_keeps_the_first_error_of_its_audits) {
     bmr_kds_class class = *(const bmr_kds_class *)info.implementation;
     class.audit = audit_with_errors;
     info.implementation = &class;
-    bmr_adversary adversary;
-    assert_int_equal(bmr_adversary_create(BMR_ADVERSARY_PASS, 32, 0.1, NULL, &adversary), BMR_OK);
-    const bmr_course course = {{adversary.polygons[0], adversary.polygons[1]},
-                               {adversary.motions[0], adversary.motions[1]},
-                               0.0,
-                               1.0};
+    const adversary made = adversary_make(ADVERSARY_PASS, 32, 0.1);
+    own_polygon *a = made.polygons[0], *b = made.polygons[1];
+    own_motion *p = made.motions[0], *q = made.motions[1];
+    const bmr_course course = {{a, b}, {p, q}, 0.0, 1.0};
     for (int audit = 0; audit < 2; ++audit) {
         const bmr_run_def def = {.structure = &info,
                                  .shapes = {{.polygon = course.polygons[0]}, {.polygon = course.polygons[1]}},
@@ -316,7 +312,6 @@ TEST(test_a_run_keeps_the_first_error_of_its_audits) {
         assert_int_equal(run.audit, audit ? BMR_ERROR_INVALID_STRUCTURE : BMR_OK);
         assert_int_equal(audits, audit ? 2 : 0); // what comes after it is not looked at
     }
-    bmr_adversary_destroy(&adversary, NULL);
 }
 
 // ---- points, contact, and what is refused ----

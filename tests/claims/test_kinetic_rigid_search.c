@@ -2,7 +2,7 @@
 // The search for a rigid motion of bounded degree that costs more than the square root of D/sigma events
 // (docs/open-question.md): motions built by hand, whose growth is fitted. The control is a motion of
 // unbounded degree, whose events grow faster and are told apart. BMR_TEST_SCALE=16: D/sigma up to 80,000.
-#include "boomerang/analysis.h"
+#include "adversaries.h"
 #include "checks.h"
 #include "kds/registry.h"
 #include "kds_driver.h"
@@ -144,7 +144,7 @@ typedef enum hand {
     KNEES, ///< two corners of radius and corner angles (D/sigma)^(-1/3) roll on each other: see the document
     FOCI,  ///< elliptic gears: equal ellipses that roll on each other about their foci, rationally
     WALTZ, ///< an ellipse and a lens turn off their centres, rationally, while B passes
-    GEAR,  ///< bmr_adversary_create's with sqrt(D/sigma) corners
+    GEAR,  ///< the adversary's with sqrt(D/sigma) corners
     TURNS, ///< the control: SLIDE with sqrt(D/sigma) / 4 turns
     HANDS
 } hand;
@@ -219,9 +219,8 @@ static trial by_hand(hand kind, double ratio) {
 
 static bool measure_gear(double ratio, price *cost) {
     const size_t corners = (size_t)ceil(fmax(4.0, sqrt(ratio)));
-    bmr_adversary gear;
+    const adversary gear = adversary_make(ADVERSARY_GEAR, corners, 2.0 / ratio);
     *cost = (price){.ratio = ratio};
-    assert_int_equal(bmr_adversary_create(BMR_ADVERSARY_GEAR, corners, 2.0 / ratio, NULL, &gear), BMR_OK);
     own_kds_body a = test_kds_body_make(gear.polygons[0]), b = test_kds_body_make(gear.polygons[1]);
     own_motion *p = gear.motions[0], *q = gear.motions[1];
     const bmr_course course = {{a.polygon, b.polygon}, {p, q}, 0.0, 1.0};
@@ -279,8 +278,7 @@ TEST(control_many_turns_cost_more_than_the_root) {
 static double repairs_on_gear(const char *name) {
     enum { CORNERS = 128 };
     const double separation = 2.0 / (4.0 * CORNERS * CORNERS);
-    bmr_adversary gear;
-    assert_int_equal(bmr_adversary_create(BMR_ADVERSARY_GEAR, CORNERS, separation, NULL, &gear), BMR_OK);
+    const adversary gear = adversary_make(ADVERSARY_GEAR, CORNERS, separation);
     own_kds_body a = test_kds_body_make(gear.polygons[0]), b = test_kds_body_make(gear.polygons[1]);
     own_motion *p = gear.motions[0], *q = gear.motions[1];
     const bmr_course course = {{a.polygon, b.polygon}, {p, q}, 0.0, 1.0};

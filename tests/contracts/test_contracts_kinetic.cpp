@@ -519,26 +519,6 @@ TEST_CASE("boomerang/analysis.h") {
         return ask.Says(bmr_fit_growth(ask.NotNull("x", x.data()), ask.NotNull("y", y.data()), Count(count),
                                        ask.Result("result", &growth)));
     });
-    // Where memory fails: of every kind.
-    Row("bmr_adversary_create", [](Asked &ask) {
-        for (int kind = 0; kind < (ask.IsForMemory() ? BMR_ADVERSARY_COUNT : 1); ++kind) {
-            const double vertices = ask.Number("vertices", 12, OutOfRange({2, 4097, kSizeMax})),
-                         separation = ask.Number("separation", 0.1, kNumber + kAboveZero);
-            bmr_adversary made = {};
-            const bmr_error error =
-                bmr_adversary_create(static_cast<bmr_adversary_kind>(kind), Count(vertices), separation,
-                                     ask.Allocator(), ask.Result("result", &made));
-            if (error != BMR_OK)
-                return ask.Says(error);
-            for (int k = 0; k < 2; ++k) {
-                Made(ask, made.motions[k]);
-                ask.Made(made.polygons[k]->vertices,
-                         made.polygons[k]->count * sizeof *made.polygons[k]->vertices);
-            }
-            bmr_adversary_destroy(&made, ask.Allocator());
-        }
-        return kOk.text;
-    });
 }
 
 TEST_CASE("boomerang/families.h") {
@@ -593,7 +573,6 @@ TEST_CASE("boomerang/families.h") {
         }
         return kOk.text;
     });
-    CHECK(bmr_adversary_name(BMR_ADVERSARY_COUNT) == nullptr);
     CHECK(bmr_family_name(BMR_FAMILY_COUNT) == nullptr);
     CHECK(bmr_ngon_name(BMR_NGON_COUNT) == nullptr);
 }

@@ -11,8 +11,8 @@ extern "C" {
 
 /// @file
 /// The cost of a run of a kinetic structure, and the least cost possible: counts of one run, the offline
-/// optimum, hysteresis, clear decompositions (section 6 of the paper), growth fits, the four qualities of a
-/// kinetic structure, and motions that are bad for the rivals. In boomerang::kinetic.
+/// optimum, hysteresis, clear decompositions (section 6 of the paper), growth fits, and the four qualities of
+/// a kinetic structure. In boomerang::kinetic.
 
 /// Two polygons and how they move over [from, to] (finite). The motions are read only.
 typedef struct bmr_course {
@@ -147,32 +147,6 @@ typedef struct bmr_growth {
 /// the second only. Errors: NULL_ARGUMENT, OUT_OF_RANGE (fewer than two points of different x with y > 0, x
 /// not positive, y negative, more than 256 points), NOT_FINITE.
 bmr_error bmr_fit_growth(const double *x, const double *y, size_t count, bmr_growth *growth);
-
-// ---- Adversaries (section 5, introduction) ----
-
-typedef enum bmr_adversary_kind {
-    /// Two regular n-gons pass each other on a long straight line. All features on one side take part:
-    /// Theta(n) events of closest features and inner tangents.
-    BMR_ADVERSARY_PASS,
-    /// A regular n-gon turns once in place before a nearly flat chain of n vertices as long as one of its
-    /// edges: each corner sweeps over the whole chain, Theta(n^2) events of closest features.
-    BMR_ADVERSARY_GEAR,
-    BMR_ADVERSARY_COUNT
-} bmr_adversary_kind;
-/// "pass", "gear"; NULL for anything else.
-const char *bmr_adversary_name(bmr_adversary_kind kind);
-
-/// The polygons (diameter about 2) and motions of an adversary.
-typedef struct bmr_adversary {
-    bmr_polygon *polygons[2];
-    bmr_motion *motions[2];
-} bmr_adversary;
-
-/// Makes an adversary for the times 0 to 1. Its least separation is `separation` (> 0, any) up to 1 % and the
-/// sagitta of an edge. n is from 3 to 4096. Errors: NULL_ARGUMENT, OUT_OF_RANGE, NO_MEMORY.
-bmr_error bmr_adversary_create(bmr_adversary_kind kind, size_t n, double separation,
-                               const bmr_allocator *allocator, bmr_adversary *adversary);
-void bmr_adversary_destroy(bmr_adversary *adversary, const bmr_allocator *allocator);
 
 #ifdef __cplusplus
 }
