@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Answers to contacts: impulses, with restitution or without, and sticking together.
+// Answers to contacts: impulses, with restitution or without.
 #include <math.h>
 
 #include "world/parts.h"
@@ -15,126 +15,10 @@
 /// down to what structures can prove is what a pile has to come loose in.
 #define JAMMED 3u
 
-// ---- sticking ----
-//
-// What sticks together moves as one: were the two of a contact alone to get one velocity, a third one that
-// sticks to them would come nearer again, and so on, at ever smaller speeds.
-
-/// All that stick together with the two of a pair, linked by `gathered`, which ends with the last one
-/// itself. Whatever has an infinite mass is one of them, but who sticks to it on the other side is not: what
-/// happens here does not move it.
-static bmr_world_body *gather(bmr_body_pair *c) {
-    bmr_world_body *const first = c->side[0], *last = c->side[1];
-    first->gathered = last;
-    last->gathered = last;
-    bmr_world_body *r = first;
-    for (bool more = true; more; r = r->gathered) {
-        for (bmr_body_pair *link = isinf(r->mass) ? NULL : r->first; link;
-             link = link->after[bmr_body_pair_side(link, r)]) {
-            bmr_world_body *const other = link->side[1 - bmr_body_pair_side(link, r)];
-            if (!link->stuck || other->gathered)
-                continue;
-            last->gathered = other;
-            other->gathered = other;
-            last = other;
-        }
-        more = r != r->gathered;
-    }
-    return first;
-}
-
-static bmr_world_body *next(const bmr_world_body *r) {
-    return r->gathered == r ? NULL : r->gathered;
-}
-
-/// Two lists, each by birth, in one. Either may be empty.
-static bmr_world_body *merge(bmr_world_body *a, bmr_world_body *b) {
-    bmr_world_body *first = NULL, *last = NULL;
-    while (a || b) {
-        bmr_world_body **const from = !b || (a && a->birth < b->birth) ? &a : &b;
-        bmr_world_body *const r = *from;
-        *from = next(r);
-        if (last)
-            last->gathered = r;
-        else
-            first = r;
-        last = r;
-        r->gathered = r;
-    }
-    return first;
-}
-
-/// The list by birth. The order in which pairs were linked depends on who found whom when: a sum of
-/// momenta in that order would have other roundings in a world without cells.
-static bmr_world_body *by_birth(bmr_world_body *list) {
-    bmr_world_body *runs[8 * sizeof(size_t)] = {NULL}; // runs[i]: empty, or 2^i long
-    for (bmr_world_body *r = list, *after; r; r = after) {
-        after = next(r);
-        r->gathered = r;
-        bmr_world_body *run = r;
-        size_t i = 0;
-        for (; runs[i]; runs[i++] = NULL)
-            run = merge(runs[i], run);
-        runs[i] = run;
-    }
-    bmr_world_body *sorted = NULL;
-    for (size_t i = 0; i < 8 * sizeof(size_t); i++)
-        sorted = merge(runs[i], sorted);
-    return sorted;
-}
-
 /// A motion may lead to no pose at all: a rational rotation whose denominator vanishes.
 static bool is_pose(const bmr_pose *q) {
     return isfinite(q->position.x) && isfinite(q->position.y) && isfinite(q->c) && isfinite(q->s);
 }
-
-/// The velocity of the common centre of mass, or of who has an infinite one. False: two of those that go
-/// different ways, or one that is nowhere.
-static bool common_velocity(const bmr_world *w, bmr_world_body *first, bmr_vec2 *velocity) {
-    double mass = 0.0;
-    bmr_vec2 momentum = {0.0, 0.0};
-    bool fixed = false;
-    for (bmr_world_body *r = first; r; r = next(r)) {
-        const bmr_instant now = bmr_piece_instant(&r->now.piece, w->time);
-        const bmr_vec2 own = now.velocity;
-        if (!is_pose(&now.pose) || !isfinite(own.x) || !isfinite(own.y))
-            return false;
-        if (isfinite(r->mass)) {
-            mass += r->mass;
-            momentum = bmr_add(momentum, bmr_scale(r->mass, own));
-        } else if (!fixed) {
-            fixed = true;
-            *velocity = own;
-        } else if (own.x != velocity->x || own.y != velocity->y)
-            return false;
-    }
-    if (!fixed)
-        *velocity = bmr_scale(1.0 / mass, momentum);
-    return mass > 0.0 && isfinite(velocity->x) && isfinite(velocity->y);
-}
-
-/// Gives both of the pair, and all that sticks to them, one velocity and no spin. False: they cannot be
-/// moved, or not to one velocity; nothing changed.
-static bool stick(bmr_world *w, bmr_body_pair *c) {
-    bmr_world_body *const first = by_birth(gather(c));
-    bmr_vec2 velocity;
-    const bool can = common_velocity(w, first, &velocity);
-    w->sticking = true;
-    for (bmr_world_body *r = first, *after; r; r = after) {
-        after = next(r);
-        r->gathered = NULL;
-        if (!can || (isinf(r->mass) && isinf(r->inertia)))
-            continue;
-        const bmr_motion_piece piece =
-            bmr_piece_screw(w->time, bmr_piece_instant(&r->now.piece, w->time).pose, velocity, 0.0);
-        bmr_body_move(w, r, &piece, INFINITY, NULL); // from where it is: no memory is asked for
-    }
-    w->sticking = false;
-    c->stuck = can;
-    return can;
-}
-
-// ---- answers ----
 
 /// Both bodies' poses, and their velocities, which an answer changes.
 typedef struct momentum {
@@ -285,11 +169,6 @@ static bmr_error answer(bmr_world *w, bmr_body_pair *c, const bmr_response *resp
         return bmr_body_pair_pass(w, c);
     if (response->kind == BMR_RESPONSE_IMPULSE)
         can = collide(w, c, response->restitution, touch, &m, &changed);
-    else if (response->kind == BMR_RESPONSE_STICK) {
-        can = stick(w, c);
-        m = momentum_of(w, c);
-        bmr_touch_move(touch, m.of);
-    }
     if (!can)
         return bmr_body_pair_pass(w, c);
     if (changed) {

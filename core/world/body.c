@@ -387,7 +387,6 @@ bmr_error bmr_body_move(bmr_world *w, bmr_world_body *r, const bmr_motion_piece 
     search_later(w, r, w->time);
     w->counts.replanned++;
     for (bmr_body_pair *c = r->first; c; c = c->after[bmr_body_pair_side(c, r)]) {
-        c->stuck = c->stuck && w->sticking;
         if (c == w->busy)
             continue;
         w->counts.replanned++;

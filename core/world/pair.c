@@ -565,7 +565,6 @@ void bmr_body_pair_hold(bmr_world *w, bmr_body_pair *c) {
 bmr_error bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c) {
     bmr_near *const n = c->near;
     set_watch(w, c, BMR_WATCH_PASSING);
-    c->stuck = false;
     n->from = n->repaired = w->time;
     n->part = NAN;
     n->growth = INFINITY;

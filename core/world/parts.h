@@ -67,8 +67,7 @@ struct bmr_world_body {
 
     bmr_body_pair *first; ///< of its pairs
     size_t pairs;
-    bmr_body_pair *found;     ///< scratch: the pair that a search has in hand
-    bmr_world_body *gathered; ///< scratch: the next one that sticks together with it
+    bmr_body_pair *found; ///< scratch: the pair that a search has in hand
 };
 
 /// What the queue has a pair for.
@@ -115,7 +114,6 @@ struct bmr_body_pair {
     uint8_t event;                       ///< bmr_pair_due
     uint8_t watch;                       ///< bmr_watch
     bool linked, neighbours, kept;       ///< cells are; scratch
-    bool stuck;                          ///< to each other, while neither gets another motion
     bmr_near *near;                      ///< NULL with WATCH_DISKS
 };
 
@@ -124,8 +122,7 @@ struct bmr_world {
     const bmr_allocator *allocator;
     bmr_world_def def;
     double time;
-    bool inside;   ///< a callback is running
-    bool sticking; ///< all that stick together are being moved
+    bool inside; ///< a callback is running
     bmr_world_trouble trouble;
     bmr_body_pair *busy; ///< whose contact is being told
     bmr_event_queue queue;

@@ -39,7 +39,7 @@ struct WorldCommand {
 constexpr char kNotes[] =
     "Lengths are in radii of the smallest body's disk. Polygons have the density 1, "
     "and their origins at their "
-    "centres of mass.\nThe answer is elastic, stick, pass (through each other), or a "
+    "centres of mass.\nThe answer is elastic, pass (through each other), or a "
     "number: the restitution, "
     "from 0 to 1.\n--zeno: what becomes of infinitely many contacts in finite time: an "
     "error that says so, or slow "
@@ -75,16 +75,14 @@ void ReadVertices(const std::string &text, WorldChoice *choice) {
 void ReadAnswer(const std::string &text, WorldChoice *choice) {
     if (text == "elastic")
         choice->response = {BMR_RESPONSE_IMPULSE, 1.0};
-    else if (text == "stick")
-        choice->response = {BMR_RESPONSE_STICK, 0.0};
     else if (text == "pass")
         choice->response = {BMR_RESPONSE_PASS, 0.0};
     else {
         char *end = nullptr;
         const double restitution = std::strtod(text.c_str(), &end);
         if (end == text.c_str() || *end != '\0')
-            throw UsageError("--answer: elastic, stick, pass or a restitution is wanted, not \"" + text +
-                             "\"" + command_line::NearestClause(text, {"elastic", "stick", "pass"}));
+            throw UsageError("--answer: elastic, pass or a restitution is wanted, not \"" + text + "\"" +
+                             command_line::NearestClause(text, {"elastic", "pass"}));
         choice->response = {BMR_RESPONSE_IMPULSE, Checked("--answer", restitution, 0.0, 1.0)};
     }
 }
@@ -401,7 +399,7 @@ void AddWorld(CLI::App &app, Program &program) {
         ->add_option("--boundary", command.boundary,
                      "walls, periodic (what leaves on one side comes in on the other) or open")
         ->check(CLI::IsMember({"walls", "periodic", "open"}));
-    world->add_option("--answer", command.answer, "To contacts: elastic, stick, pass, or a restitution");
+    world->add_option("--answer", command.answer, "To contacts: elastic, pass, or a restitution");
     world->add_option("--zeno", command.zeno, "error or elastic")->check(CLI::IsMember({"error", "elastic"}));
     world->add_option("--zeno-speed", command.zenoSpeed, "Of --zeno elastic: slower than this is slow");
     world->add_option("--structure", command.structure, "Of near pairs; `events --list` shows all");

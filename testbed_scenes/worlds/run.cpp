@@ -217,7 +217,7 @@ void SetDrifts(const WorldRun &run, const WorldSetup &setup, WorldFigures *figur
         return;
     const bmr_vec2 change = bmr_sub(to.momentum, from.momentum);
     figures->momentum = std::hypot(change.x, change.y) / run.MomentumScale();
-    if (choice.boundary == BMR_OPEN && choice.response.kind != BMR_RESPONSE_STICK)
+    if (choice.boundary == BMR_OPEN)
         figures->angular = (to.angular - from.angular) / (run.MomentumScale() * figures->side);
 }
 
@@ -270,14 +270,8 @@ const char *NameOf(bmr_boundary boundary) {
 }
 
 std::string NameOf(const bmr_response &response) {
-    switch (response.kind) {
-    case BMR_RESPONSE_PASS:
+    if (response.kind == BMR_RESPONSE_PASS)
         return "pass";
-    case BMR_RESPONSE_STICK:
-        return "stick";
-    default:
-        break;
-    }
     if (response.restitution == 1.0)
         return "elastic";
     char text[40];

@@ -203,7 +203,7 @@ struct WorldFigures {
 WorldFigures Measure(const WorldSetup &setup, const MeasureOptions &options);
 
 const char *NameOf(bmr_boundary boundary);
-/// "elastic", "restitution 0.9", "stick" or "pass".
+/// "elastic", "restitution 0.9" or "pass".
 std::string NameOf(const bmr_response &response);
 
 /// A kinetic world as frames for pictures, one at each look. Of a frame

@@ -284,68 +284,6 @@ TEST(a_call_has_as_many_events_as_it_may) {
 
 // ---- contacts that nothing ends, and short ones ----
 
-/// Bodies at one place each, one after the other pushed into the pile.
-TEST(all_that_sticks_goes_on_as_one) {
-    own_stage *s = make_stage(BMR_WALLED, 50.0);
-    s->response.kind = BMR_RESPONSE_STICK;
-    const bmr_polygon *b = box(1.0);
-    enum { PILE = 8 };
-    bmr_body pile[PILE];
-    double mass = 0.0, momentum = 0.0;
-    for (int i = 0; i < PILE; i++) {
-        const double own = 1.0 + i % 3, speed = i == 0 ? 0.0 : i % 2 ? 1.0 : -1.3;
-        const double x = i % 2 ? -4.0 * i : 4.0 * i;
-        pile[i] = add_piece(s, b, flight(0.0, x, 0.1 * (i % 5), speed, 0.0, 0.0), own);
-        mass += own;
-        momentum += own * speed;
-    }
-    advance(s, 40.0);
-    assert_int_equal(s->count, PILE - 1);
-    for (int i = 0; i < PILE; i++) {
-        assert_near(state_of(s, pile[i]).velocity.x, momentum / mass, 1e-15);
-        assert_near(state_of(s, pile[i]).velocity.y, 0.0, 0.0);
-    }
-    // At a wall all of it comes to rest, for good.
-    advance(s, 1e4);
-    assert_int_equal(s->count, PILE);
-    assert_near(bmr_world_get_totals(s->world).energy, 0.0, 0.0);
-    // Who is sent elsewhere sticks no more.
-    send(s, pile[3], 0.0, 1.0, 0.0);
-    advance(s, 1e4 + 10.0);
-    assert_near(state_of(s, pile[3]).velocity.y, 1.0, 0.0);
-    assert_near(state_of(s, pile[1]).velocity.y, 0.0, 0.0);
-}
-
-/// The velocity of all 16, which fly to one middle and stick there, is the same to the bit with cells as
-/// with all pairs: their momenta are summed in one order, whoever found whom first.
-TEST(a_pile_with_cells_is_that_of_all_pairs) {
-    enum { PILE = 16, PILES = 40 };
-    const bmr_polygon *b = box(0.5);
-    size_t stuck = 0, others = 0;
-    for (int k = 0; k < PILES; k++) {
-        bmr_vec2 velocity[3][PILE];
-        for (int run = 0; run < 3; run++) { // control: another pile has other velocities
-            own_stage *s = make_stage(BMR_OPEN, 0.0);
-            s->response.kind = BMR_RESPONSE_STICK;
-            s->def.all_pairs = run == 1;
-            for (int i = 0; i < PILE; i++) {
-                const double x = 3.0 * (i % 4) - 4.5 + 0.3 * sin(k + i), y = 3.0 * (i / 4) - 4.5;
-                const double aside = 0.1 * sin((k + (run == 2)) * i + 1.0);
-                add_piece(s, b, flight(0.0, x, y + 0.3 * cos(k * i), -0.5 * x + aside, -0.5 * y, 0.0),
-                          1.0 + 0.1 * i);
-            }
-            advance(s, 20.0);
-            for (int i = 0; i < PILE; i++)
-                velocity[run][i] = state_of(s, (bmr_body)i).velocity;
-            stuck += s->count >= 4;
-        }
-        assert_memory_equal(velocity[0], velocity[1], sizeof velocity[0]);
-        others += memcmp(velocity[0], velocity[2], sizeof velocity[0]) != 0;
-    }
-    assert_int_equal(stuck, 3 * PILES);
-    assert_int_equal(others, PILES);
-}
-
 /// Two boxes that meet flat on a stretch from a tenth down to 1e-9: what elastic impulses keep stays, to
 /// rounding.
 TEST(an_impulse_on_a_short_stretch_keeps_the_energy) {

@@ -137,7 +137,7 @@ gas --sizes 1e4|--sizes
 gas --vertices 2|--vertices: N or FEWEST:MOST
 gas --vertices 9:8|--vertices
 gas --answer 1.5|--answer
-gas --answer hard|elastic, stick, pass or a restitution is wanted, not "hard"
+gas --answer hard|elastic, pass or a restitution is wanted, not "hard"
 gas --answer elastik|nearest is "elastic"
 gas --structure lazy-dudly|nearest is "lazy-dudley"
 gas --structure point-lazy-dudley|for points

@@ -161,8 +161,6 @@ static bmr_response tell(void *context, bmr_world *world, const bmr_contact *c) 
     const uint8_t how = fuzz_u8(&s->bytes);
     if (how < 32)
         response.kind = BMR_RESPONSE_PASS;
-    else if (how < 48)
-        response.kind = BMR_RESPONSE_STICK;
     else if (how < 80)
         response.restitution = how / 80.0;
     else if (how < 112)

@@ -76,12 +76,6 @@ typedef enum bmr_response_kind {
     /// approach keep their motions. Both go on in screw motions from their poses. Two bodies that nothing
     /// moves pass.
     BMR_RESPONSE_IMPULSE,
-    /// Both go on with the velocity of their common centre of mass and without spin, and so do all bodies
-    /// that stuck to either before and got no other motion since. Momentum stays; energy and angular momentum
-    /// go. (The spin goes because no screw motion turns a body about another one's centre.) A body of
-    /// infinite mass, or a wall, keeps its velocity, and the others get it. If two such of different
-    /// velocities would stick together, the pair passes.
-    BMR_RESPONSE_STICK,
     /// The callback has set the motions (bmr_world_set_motion); the world goes on watching the pair. If the
     /// two still approach, the same contact comes again, at half the distance.
     BMR_RESPONSE_MINE,
