@@ -4,95 +4,16 @@
 #include "motions.h"
 
 /// @file
-/// The structures on the mixed hierarchy where they are hard. (On motions of every kind:
-/// random/fuzz_structures.cpp.)
+/// The structures on the mixed hierarchy on a border of a cell, along it. (On motions of every kind, aligned
+/// bodies and jumps among them: random/fuzz_structures.cpp.)
 
 #define TWO_PI 6.283185307179586
 static const char *const names[] = {"active-cell-compass", "active-cell-dudley", "tiling-dudley"};
-
-static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_body *b, double margin) {
-    bmr_kds_def def = bmr_default_kds_def();
-    def.margin = margin;
-    const bmr_kds_info *info = test_structure(name);
-    assert_non_null(info);
-    return made_kds(info, &def, &a->shape, &b->shape);
-}
 
 static test_kds_body random_body(test_random *random) {
     const test_family family = (test_family)test_random_below(random, TEST_FAMILY_COUNT);
     return test_kds_body_make(test_polygon(family, 3 + test_random_below(random, 40), random));
 }
-
-/// Boxes, octagons and regular polygons at multiples of a right angle, moving along the axes on the lines of
-/// their own sides: without the displacement the point would move along borders of cells.
-TEST(aligned_bodies_on_aligned_ways_are_no_trap) {
-    static const test_family families[] = {TEST_BOX, TEST_OCTAGON, TEST_GRID, TEST_PARALLEL, TEST_TURNED_BOX};
-    test_random random = {505};
-    for (size_t round = 0; round < test_scaled(120); ++round) {
-        own_kds_body a = test_kds_body_make(test_polygon(families[round % COUNT_OF(families)], 12, &random));
-        own_kds_body b = test_random_below(&random, 3) == 0
-                             ? test_kds_point_make(0.0, 0.0)
-                             : test_kds_body_make(test_polygon(
-                                   families[test_random_below(&random, COUNT_OF(families))], 12, &random));
-        const double size = 2.0 * (a.polygon->extent + b.polygon->extent);
-        test_path path;
-        memset(&path, 0, sizeof path);
-        // Some vertex of B moves along some vertex of A's level or upright line.
-        const bmr_vec2 p = a.polygon->vertices[test_random_below(&random, a.polygon->count)];
-        const bmr_vec2 q = b.polygon->vertices[test_random_below(&random, b.polygon->count)];
-        const bool upright = test_random_below(&random, 2) != 0;
-        path.cubic[0] = bmr_sub(p, q);
-        *(upright ? &path.cubic[0].y : &path.cubic[0].x) -= size;
-        *(upright ? &path.cubic[1].y : &path.cubic[1].x) = 2.0 * size;
-        const char *name = names[round % COUNT_OF(names)];
-        own_kds *kds = made(name, &a, &b, 1e-6);
-        const test_drive drive = {.path = &path};
-        const test_drive_result result = test_drive_run(kds, a.polygon, b.polygon, &drive);
-        assert_true(test_drive_is_sound(&result));
-    }
-}
-
-// --- poses that come in steps, rates unknown ---
-
-static size_t first_failed(const bmr_kds *kds, const bmr_pose *pose) {
-    bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
-    const size_t count = bmr_kds_conditions(kds, conditions);
-    size_t i = 0;
-    while (i < count && bmr_condition_value(&conditions[i], pose) > 0.0)
-        ++i;
-    return i == count ? SIZE_MAX : i;
-}
-
-/// Whatever the pose, one repair makes all conditions true there, or finds contact.
-TEST(a_repair_after_any_jump_leads_to_the_right_cell) {
-    test_random random = {507};
-    size_t repairs = 0, failed_before = 0;
-    for (size_t round = 0; round < test_scaled(60); ++round) {
-        own_kds_body a = random_body(&random), b = random_body(&random);
-        test_motion motion = test_motion_make((test_motion_kind)(round % TEST_MOTION_KIND_COUNT), a.polygon,
-                                              b.polygon, &random);
-        own_kds *kds = made(names[round / TEST_MOTION_KIND_COUNT % 2], &a, &b, 1e-6);
-        bmr_kds_report report;
-        for (int step = 0; step < 200; ++step) {
-            const bmr_instant now = {test_motion_next(&motion, &random), {0.0, 0.0}, 0.0};
-            if (bmr_kds_in_contact(kds) || step == 0)
-                bmr_kds_start(kds, &now, &report);
-            const size_t failed = bmr_kds_in_contact(kds) ? SIZE_MAX : first_failed(kds, &now.pose);
-            if (failed != SIZE_MAX) {
-                failed_before += bmr_kds_audit(kds, &now.pose) != BMR_OK; // control: it was wrong
-                bmr_kds_repair(kds, &now, failed, &report);
-                ++repairs;
-                assert_int_not_equal(report.kind, BMR_KDS_NONE);
-            }
-            if (!bmr_kds_in_contact(kds))
-                assert_true(first_failed(kds, &now.pose) == SIZE_MAX);
-            assert_int_equal(bmr_kds_audit(kds, &now.pose), BMR_OK);
-        }
-    }
-    assert_true(repairs > 0 && failed_before > repairs / 2);
-}
-
-// --- on a border, along it ---
 
 /// Moves B until condition `i` is not positive, by no more than a few roundings. False: other borders are too
 /// near.
@@ -116,6 +37,8 @@ static bool put_on_border(const bmr_kds *kds, size_t i, bmr_pose *pose, bmr_vec2
 /// a cell that is kept would be left again at the same time, for ever.
 TEST(a_border_crossed_at_any_angle_is_crossed) {
     test_random random = {513};
+    bmr_kds_def def = bmr_default_kds_def();
+    def.margin = 1e-6;
     size_t crossed = 0, grown = 0;
     for (size_t round = 0; round < test_scaled(400); ++round) {
         own_kds_body a = random_body(&random), b = random_body(&random);
@@ -125,7 +48,7 @@ TEST(a_border_crossed_at_any_angle_is_crossed) {
         const bmr_pose at = test_pose_at(a.polygon, b.polygon, test_random_uniform(&random, 0.0, TWO_PI),
                                          test_random_uniform(&random, 0.0, TWO_PI), gap);
         for (size_t i = 0; i < 4; ++i) {
-            own_kds *kds = made(names[round % COUNT_OF(names)], &a, &b, 1e-6);
+            own_kds *kds = made_kds(test_structure(names[round % COUNT_OF(names)]), &def, &a.shape, &b.shape);
             bmr_instant now = {at, {0.0, 0.0}, 0.0};
             bmr_kds_report report;
             bmr_kds_start(kds, &now, &report);

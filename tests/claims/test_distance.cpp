@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Distance, closest points and penetration where they are hard (at random: random/fuzz_queries.cpp), and of
-// many vertices against the certificate that an answer is: two points, and a line between the polygons.
+// Distance and closest points where they are hard (at random: random/fuzz_queries.cpp), and of many vertices
+// against the certificate that an answer is: two points, and a line between the polygons.
 extern "C" {
 #include "geometry/distance.h"
 }
@@ -49,12 +49,6 @@ Scene Beside(const bmr_polygon *a, const bmr_polygon *b, double gap, test_random
 bmr_closest_points Closest(const Scene &s) {
     bmr_closest_points answer = {-1.0, {9, 9}, {9, 9}, {9, 9}};
     REQUIRE(bmr_distance(s.a, &s.pose_a, s.b, &s.pose_b, &answer) == BMR_OK);
-    return answer;
-}
-
-bmr_overlap Overlap(const Scene &s) {
-    bmr_overlap answer = {-1.0, {9, 9}, {9, 9}, {9, 9}};
-    REQUIRE(bmr_penetration(s.a, &s.pose_a, s.b, &s.pose_b, &answer) == BMR_OK);
     return answer;
 }
 
@@ -116,80 +110,6 @@ TEST_CASE("vertices that close in on a corner cost no more") {
     }
 }
 
-TEST_CASE("a small polygon deep in a large one, far from the origin, is not called apart") {
-    // An angle was allowed to be off by the rounding of the places in the
-    // world.
-    const Polygon a = Hull({{7.3242187499999997e-05, 4.8828125000000003e-05},
-                            {0.00012207031250000038, 0.00012207031250000033},
-                            {-4.019299523606901e-05, 0.00019114864444852192},
-                            {-3.9127174143160158e-05, 0.0001898114207766129},
-                            {-1.2348771397571428e-05, 0.00015621411792198371},
-                            {6.0635171416422775e-05, 6.4645414084685813e-05}});
-    const Polygon b = Hull({{-0.02813783983886553, -0.046896399731442551},
-                            {0.02813783983886553, -0.046896399731442551},
-                            {0.02813783983886553, 0.02813783983886553},
-                            {-0.0093792799462885101, 0.02813783983886553},
-                            {-0.046896399731442551, 0.0093792799462885101}});
-    const Scene s = SceneOf(
-        a.get(), {{47801116.269814961, -11471115.056382688}, 0.20440300167520839, -0.97888682333871713},
-        b.get(), {{47801116.24920857, -11471115.013335792}, -0.60058233583423326, 0.79956291677634495});
-    const long double truth = distance::SignedDistance(s.points_a, s.points_b);
-    CHECK(truth < -9e-6L);
-    CHECK(Closest(s).distance == 0.0);
-    CHECK(Agrees(s, Overlap(s), -truth));
-}
-
-TEST_CASE("a vertex that lies on the middle of an edge is not far from it") {
-    // Found by fuzz_queries: no direction told the two ends of the edge apart, and the distance was that of
-    // one of them, 1.
-    const Polygon a = Hull({{-0.65293827693672313, -0.75741112119568399},
-                            {0.75741112119568399, -0.65293827693672313},
-                            {0.65293827693672324, 0.75741112119568388}});
-    const Polygon b = Hull({{-0.97616540779736016, -0.89837491416800186},
-                            {0, 0},
-                            {0, 11},
-                            {-1172.559637859219, 0.50143672824218088}});
-    const bmr_pose here = bmr_pose_identity();
-    const Scene s = SceneOf(a.get(), here, b.get(), here);
-    CHECK(Closest(s).distance <= s.tolerance);
-    CHECK(Overlap(s).depth <= s.tolerance);
-}
-
-TEST_CASE("the normal has unit length where the square of the distance is a denormal number") {
-    const Polygon a = Hull({{0.0, 0.0}}), b = Hull({{-1e-156, 0.0}, {4.0, 3.0}, {4.0, 5.0}});
-    const Scene s = SceneOf(a.get(), bmr_pose_identity(), b.get(), bmr_pose_identity());
-    const bmr_closest_points closest = Closest(s);
-    CHECK(closest.distance == doctest::Approx(6e-157).epsilon(1e-14));
-    CHECK(std::fabs(std::hypot(closest.normal.x, closest.normal.y) - 1.0) <= 1e-15);
-    CHECK(ProvesItself(s, closest));
-}
-
-TEST_CASE("vertices that lie together are no way around a polygon") {
-    // Of two such vertices the searches at both ends of an arc found the other one each. The last pair has a
-    // direction that separates only at the second look.
-    const uint64_t states[] = {340848928178076474u,  3519922534721490492u, 7694584163053262375u,
-                               5479711179065206770u, 2373509614993089665u, 6808758188017056697u};
-    for (size_t i = 0; i < 6; ++i) {
-        CAPTURE(i);
-        test_random random = {states[i]};
-        std::vector<bmr_vec2> points[2] = {std::vector<bmr_vec2>(64), std::vector<bmr_vec2>(64)};
-        for (std::vector<bmr_vec2> &of : points)
-            of.resize(test_hard_points(&random, of.data()));
-        const Polygon a = Hull(points[0]), b = Hull(points[1]);
-        const double way = test_random_uniform(&random, -4, 4);
-        const bmr_vec2 u = {std::cos(way), std::sin(way)};
-        bmr_pose pose = bmr_pose_from_angle({0, 0}, i < 5 ? test_random_uniform(&random, -4, 4) : 0.0);
-        const bmr_vec2 pa = a->vertices[bmr_polygon_support(a.get(), u)],
-                       pb = bmr_rotate(
-                           &pose, b->vertices[bmr_polygon_support(b.get(), bmr_unrotate(&pose, bmr_neg(u)))]);
-        const double gap = std::pow(10, test_random_uniform(&random, -12, 1));
-        pose.position = bmr_add(bmr_sub(pa, pb), bmr_scale(gap, u));
-        const Scene s = SceneOf(a.get(), bmr_pose_identity(), b.get(), pose);
-        const long double truth = distance::SignedDistance(s.points_a, s.points_b);
-        CHECK(std::fabs(Closest(s).distance - std::fmax(0.0L, truth)) <= s.tolerance);
-    }
-}
-
 // --- the search for the closest direction against all pairs of features in long double, on every family, at
 // distances from 1e-9 to 30 times the shapes: the separation that it reports is the distance, up to the
 // tolerance and the rounding of the posed vertices ---
@@ -203,19 +123,7 @@ constexpr int kPlaces = 8;
 /// at most 2^-53: 5.6e-16 of the scale in each coordinate, 7.8e-16 as a vector.
 constexpr long double kRounding = 8e-16L;
 
-using distance::Point, distance::Points, distance::Transformed;
-
-/// Of polygons that are apart.
-long double Distance(const Points &a, const Points &b) {
-    long double least = INFINITY;
-    for (size_t i = 0; i < a.size(); ++i)
-        for (size_t j = 0; j < b.size(); ++j) {
-            const Point toA = distance::ToSegment(b[j], a[i], a[(i + 1) % a.size()]),
-                        toB = distance::ToSegment(a[i], b[j], b[(j + 1) % b.size()]);
-            least = std::min({least, std::hypot(toA.x, toA.y), std::hypot(toB.x, toB.y)});
-        }
-    return least;
-}
+using distance::Point, distance::Points, distance::SignedDistance, distance::Transformed;
 
 struct Tally {
     size_t queries = 0, near = 0, tooLittle = 0, tooMuch = 0, notSeparated = 0;
@@ -248,7 +156,7 @@ bmr_simplex Start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose &po
     };
     const Point first = apart(0), last = apart(start.count - 1);
     const Point way = distance::ToSegment({0.0L, 0.0L}, first, last);
-    const long double of = std::hypot(way.x, way.y), distance = Distance(p, q);
+    const long double of = std::hypot(way.x, way.y), distance = SignedDistance(p, q);
     const long double scale = a->extent + b->extent + std::hypot(pose.position.x, pose.position.y);
     ++tally.starts;
     // An angle is known to the rounding over the distance, and what it costs is its square.
@@ -260,7 +168,7 @@ bmr_simplex Start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose &po
 }
 
 void Judge(const Points &a, const Points &b, const bmr_closest &closest, long double scale, Tally &tally) {
-    const long double distance = Distance(a, b), slop = kRounding * scale;
+    const long double distance = SignedDistance(a, b), slop = kRounding * scale;
     ++tally.queries;
     tally.near += distance < 1e-6L;
     tally.tooLittle += closest.separation < distance / (1.0L + BMR_DISTANCE_TOLERANCE) - slop;

@@ -270,8 +270,6 @@ TEST_CASE("what cannot be repaired has its error, and leaves the result as it wa
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 size_t Below(test_random *random, size_t count) {
     return test_random_below(random, static_cast<uint32_t>(count));
 }
@@ -398,42 +396,4 @@ TEST_CASE("garbage becomes outlines, and nothing changes sides that is farther t
     CHECK(farthest <= 1.0);
     CHECK(farthest > 0.0); // the control: some do change
     CHECK(inside > points / 10);
-}
-
-TEST_CASE("the area differs by no more than edges that move by snap sweep") {
-    test_random random = {34};
-    double most = 0.0; // of the bound
-    for (size_t n = test_scaled(1500); n > 0; --n) {
-        const double snap = std::ldexp(1.0, -static_cast<int>(Below(&random, 8))) * 0.5;
-        std::vector<bmr_vec2> ring(3 + Below(&random, 60)); // a star
-        double length = 0.0;
-        for (size_t i = 0; i < ring.size(); ++i) {
-            const double angle = 2.0 * kPi * static_cast<double>(i) / static_cast<double>(ring.size());
-            const double radius = test_random_uniform(&random, 1.0, 20.0);
-            ring[i] = {radius * std::cos(angle), radius * std::sin(angle)};
-        }
-        for (size_t i = 0; i < ring.size(); ++i) {
-            const bmr_vec2 edge = bmr_sub(ring[(i + 1) % ring.size()], ring[i]);
-            length += std::sqrt(bmr_dot(edge, edge));
-        }
-        Outline star;
-        star.AddRing(ring.data(), ring.size());
-        bmr_mass mass, part;
-        bmr_rings rings = star.GetRings();
-        REQUIRE(bmr_outline_mass(&rings, &mass) == BMR_OK);
-        std::vector<Outline> made;
-        const bmr_error error = RepairOutline(star, FillRule::NonZero, snap, &made);
-        REQUIRE((error == BMR_OK || error == BMR_ERROR_TOO_FEW_POINTS));
-        double area = 0.0;
-        for (const Outline &outline : made) {
-            rings = outline.GetRings();
-            REQUIRE(bmr_outline_mass(&rings, &part) == BMR_OK);
-            area += part.area;
-        }
-        const double bound = 2.0 * snap * length + kPi * snap * snap * static_cast<double>(ring.size());
-        most = std::max(most, std::fabs(area - mass.area) / bound);
-    }
-    MESSAGE("the area differs by at most ", most, " of the bound");
-    CHECK(most <= 1.0);
-    CHECK(most > 0.0);
 }
