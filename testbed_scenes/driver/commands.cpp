@@ -10,7 +10,6 @@
 
 #include <unistd.h>
 
-#include "command_line/usage.h"
 #include "compare.h"
 #include "terminal.h"
 #include "theory/figure.h"
@@ -21,8 +20,8 @@ namespace testbed {
 
 void FailUnknown(const std::string &what, const std::string &name, const std::vector<std::string> &names,
                  const std::string &where) {
-    throw UsageError("there is no " + what + " \"" + name + "\"" + command_line::NearestClause(name, names) +
-                     " (" + where + ")");
+    throw UsageError("there is no " + what + " \"" + name + "\"" + NearestClause(name, names) + " (" + where +
+                     ")");
 }
 
 size_t IndexOf(const std::string &what, const std::string &name, const std::vector<std::string> &names,
@@ -53,10 +52,6 @@ std::vector<double> NumbersIn(const std::string &text, char separator, double le
     return numbers;
 }
 
-CLI::Range AtLeast(int least) {
-    return CLI::Range(least, 100000000);
-}
-
 void AddStructureOption(CLI::App &app, WorkerOptions &worker, const std::vector<std::string> &structures) {
     app.add_option("--structure", worker.structure,
                    "The structure of the paper that holds each pair of bodies (default: a line a contact, as "
@@ -66,9 +61,9 @@ void AddStructureOption(CLI::App &app, WorkerOptions &worker, const std::vector<
 
 void AddSceneOptions(CLI::App &app, WorkerOptions &worker) {
     app.add_option("--size", worker.size, "How much of everything there is (default: the scene's own)")
-        ->check(AtLeast(1));
+        ->check(Whole(1));
     app.add_option("--seed", worker.seed, "Seed of the scene's random numbers (default: the scene's own)")
-        ->check(command_line::CheckSeed);
+        ->check(Whole(0, UINT64_MAX));
 }
 
 void AddPluginSwitch(CLI::App &app, bool &plugin) {
@@ -257,7 +252,7 @@ void AddRun(CLI::App &app, Program &program) {
     CLI::App *run = app.add_subcommand("run", "Run one scene on one side");
     run->add_option("scene", command->scene, "A name that `list` shows")->required();
     run->add_option("--steps", command->steps, "Steps to simulate (default: the scene's own)")
-        ->check(AtLeast(1));
+        ->check(Whole(1));
     AddPluginSwitch(*run, command->plugin);
     AddStructureOption(*run, command->worker, kPluginStructures);
     CLI::Option *hash = run->add_flag("--hash", command->hash, "Print the hashes of every step");
@@ -273,10 +268,10 @@ void AddCompare(CLI::App &app, Program &program) {
         "compare", "Compare stock Box2D with the plugin: bit by bit, call by call, and by the clock");
     compare->add_option("scenes", command->scenes, "Names that `list` shows (default: all)");
     compare->add_option("--steps", options.steps, "Steps of each scene (default: the scene's own)")
-        ->check(AtLeast(1));
+        ->check(Whole(1));
     CLI::Option *repeat =
         compare->add_option("--repeat", options.repeat, "Timed runs of each side, interleaved")
-            ->check(CLI::Range(1, 1000))
+            ->check(Whole(1, 1000))
             ->capture_default_str();
     compare->add_flag("--no-time", command->noTime, "Leave the timed runs out")->excludes(repeat);
     CLI::Option *details = compare->add_flag(
@@ -290,7 +285,7 @@ void AddCompare(CLI::App &app, Program &program) {
                      "Control: after this step (the first is 0) nudge one velocity by one bit on the "
                      "plugin's side; the "
                      "difference must be found")
-        ->check(AtLeast(0));
+        ->check(Whole(0));
     compare->callback(
         [command, &program] { program.status = Execute(*command, Workers(program.directory)); });
 }

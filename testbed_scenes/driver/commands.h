@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "usage.h"
 #include "workers.h"
 
 namespace testbed {
@@ -41,9 +42,6 @@ void AddWorld(CLI::App &app, Program &program);
 void AddStructureOption(CLI::App &app, WorkerOptions &worker, const std::vector<std::string> &structures);
 void AddSceneOptions(CLI::App &app, WorkerOptions &worker);
 void AddPluginSwitch(CLI::App &app, bool &plugin);
-/// A whole number of a size that nobody means to reach; CLI11's own validators speak of limits with 300
-/// digits.
-CLI::Range AtLeast(int least);
 
 /// Throws a UsageError: there is no such thing of that name, and which one is nearest.
 [[noreturn]] void FailUnknown(const std::string &what, const std::string &name,

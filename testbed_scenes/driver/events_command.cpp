@@ -428,7 +428,7 @@ void AddEvents(CLI::App &app, Program &program) {
                      "Structures or groups that --list shows (default: rigid and rivals)")
         ->delimiter(',');
     events->add_option("--n", command.n, "Vertices of each polygon")
-        ->check(CLI::Range(3, 65535))
+        ->check(Whole(3, 65535))
         ->capture_default_str();
     events->add_option("--shape", command.shape, "Shape of A, or of A:B; B may be a point")
         ->capture_default_str();
@@ -437,7 +437,7 @@ void AddEvents(CLI::App &app, Program &program) {
                      "Diameter over least separation: LOW:HIGH in factors of 4, or R1,R2,..")
         ->capture_default_str();
     events->add_option("--seeds", command.seeds, "How many motions of each kind")
-        ->check(CLI::Range(1, 100000))
+        ->check(Whole(1, 100000))
         ->capture_default_str();
     CLI::Option *polygon = events->add_option("--polygon", command.polygons,
                                               "A polygon of one's own, \"x y\" a line; twice: A's and B's");

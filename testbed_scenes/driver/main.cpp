@@ -4,7 +4,6 @@
 // compares them. This file is its command line; commands.h says where its commands are.
 #include <iostream>
 
-#include "command_line/usage.h"
 #include "commands.h"
 
 namespace testbed {
@@ -34,7 +33,7 @@ int Answer(int argc, char **argv) {
 
     app.footer(kExitCodes); // not before: commands would inherit it, and have it twice
 
-    const std::string unknown = command_line::ExplainCommand(app, argc, argv);
+    const std::string unknown = ExplainCommand(app, argc, argv);
     if (!unknown.empty())
         throw UsageError(unknown);
     try {
@@ -42,7 +41,7 @@ int Answer(int argc, char **argv) {
     } catch (const CLI::ParseError &error) {
         if (error.get_exit_code() == 0)
             return app.exit(error); // help, or the version
-        throw UsageError(command_line::ExplainUsage(app, error, argc, argv));
+        throw UsageError(ExplainUsage(app, error, argc, argv));
     }
     return program.status;
 }

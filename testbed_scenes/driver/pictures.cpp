@@ -82,8 +82,8 @@ void AddPictureOptions(CLI::App &app, PictureRequest &request, CLI::Option *outp
         options.push_back(option);
         return option;
     };
-    CLI::Option *step = add(app.add_option("--step", request.step, "The step to draw; the first is 0")
-                                ->check(CLI::Range(0, 100000000)));
+    CLI::Option *step =
+        add(app.add_option("--step", request.step, "The step to draw; the first is 0")->check(Whole(0)));
     CLI::Option *frames =
         add(app.add_option("--frames", request.frames,
                            "FIRST:LAST:EVERY instead: a series; picture.png becomes picture-0000.png, ...")
@@ -97,7 +97,7 @@ void AddPictureOptions(CLI::App &app, PictureRequest &request, CLI::Option *outp
                                     : std::string();
             }));
     add(app.add_option("--width", request.width, "Width in pixels (points in an SVG or PDF)")
-            ->check(CLI::Range(200, 10000))
+            ->check(Whole(200, 10000))
             ->capture_default_str());
     Layers &named = request.named;
     const auto layer = [&](const char *name, bool &flag, const std::string &what) {

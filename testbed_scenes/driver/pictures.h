@@ -45,7 +45,6 @@ public:
     int64_t First() const { return m_first; }
     int64_t Last() const { return m_last; }
     int64_t Every() const { return m_every; }
-    bool WantsBoxes() const { return m_options.layers.boxes; }
     /// Throws UsageError where `name` ends before the last picture.
     void CheckLast(const std::string &name, int64_t last) const;
     /// Frames come in order; those that are not wanted leave trails alone. Throws UsageError where a body in

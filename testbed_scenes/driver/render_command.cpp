@@ -96,8 +96,6 @@ void AddScene(const RenderCommand &command, const SceneInfo &scene, const Worker
     request.mode = "hash";
     request.extra = {"--frames", std::to_string(series->First()) + ":" + std::to_string(series->Last()) +
                                      ":" + std::to_string(series->Every())};
-    if (series->WantsBoxes())
-        request.extra.emplace_back("--boxes");
     const int64_t wanted = (series->Last() - series->First()) / series->Every() + 1;
     int64_t frames = 0;
     progress->Show(scene.name);
@@ -171,7 +169,7 @@ void AddRender(CLI::App &app, Program &program) {
     render
         ->add_option("--steps", command.steps,
                      "Into how many steps the motion's time is divided: the last picture is --step N")
-        ->check(CLI::Range(1, 1000000))
+        ->check(Whole(1, 1000000))
         ->needs(polygon)
         ->capture_default_str();
     render->add_option("-o,--output", command.pictures.output, "The picture: .svg, .png or .pdf")->required();

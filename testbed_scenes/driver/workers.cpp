@@ -74,6 +74,7 @@ pid_t Spawn(const std::vector<std::string> &arguments, const std::vector<std::st
     words.insert(words.end(), environment.begin(), environment.end());
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char *> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string &word : words)
         pointers.push_back(word.data());
     pointers.push_back(nullptr);

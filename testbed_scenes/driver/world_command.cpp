@@ -12,7 +12,6 @@
 #include <unistd.h>
 
 #include "boomerang/families.h"
-#include "command_line/usage.h"
 #include "commands.h"
 #include "pictures.h"
 #include "terminal.h"
@@ -82,7 +81,7 @@ void ReadAnswer(const std::string &text, WorldChoice *choice) {
         const double restitution = std::strtod(text.c_str(), &end);
         if (end == text.c_str() || *end != '\0')
             throw UsageError("--answer: elastic, pass or a restitution is wanted, not \"" + text + "\"" +
-                             command_line::NearestClause(text, {"elastic", "pass"}));
+                             NearestClause(text, {"elastic", "pass"}));
         choice->response = {BMR_RESPONSE_IMPULSE, Checked("--answer", restitution, 0.0, 1.0)};
     }
 }
@@ -380,7 +379,7 @@ void AddWorld(CLI::App &app, Program &program) {
     world->add_option("scene", command.scene, "A world that --list shows")->capture_default_str();
     world
         ->add_option("--bodies", command.bodies, "How many (default: the scene's own, as of all that follow)")
-        ->check(CLI::Range(2, 10000000));
+        ->check(Whole(2, 10000000));
     std::vector<std::string> shapes =
         NamesOf(BMR_NGON_COUNT, [](size_t i) { return bmr_ngon_name(static_cast<bmr_ngon>(i)); });
     shapes.insert(shapes.begin(), "mixed");
@@ -404,7 +403,7 @@ void AddWorld(CLI::App &app, Program &program) {
     world->add_option("--zeno-speed", command.zenoSpeed, "Of --zeno elastic: slower than this is slow");
     world->add_option("--structure", command.structure, "Of near pairs; `events --list` shows all");
     world->add_option("--seed", command.seed, "Of all that is drawn")
-        ->check(command_line::CheckSeed)
+        ->check(Whole(0, UINT64_MAX))
         ->capture_default_str();
     world->add_flag("--all-pairs", command.allPairs,
                     "No cells: every two bodies are watched, for comparison");

@@ -131,10 +131,12 @@ void DrawBodies(Canvas &canvas, const WorldView &world, double unit, const std::
 void DrawJoints(Canvas &canvas, const WorldView &world, double unit) {
     const Pen pen = {style::kJoint, 1.2 * unit, 0.8, {}};
     for (const shown::Joint &joint : world.Frame().joints) {
-        for (const auto &[from, to] : joint.segments)
-            canvas.Segment(ToVec2(from), ToVec2(to), pen);
-        for (const shown::Vec &anchor : joint.anchors)
-            canvas.Dot(ToVec2(anchor), 2.0 * unit, style::kJoint);
+        std::vector<bmr_vec2> line;
+        for (const shown::Vec &point : joint.line)
+            line.push_back(ToVec2(point));
+        canvas.Polyline(line, pen);
+        for (const size_t anchor : {1, 2})
+            canvas.Dot(line[anchor], 2.0 * unit, style::kJoint);
     }
 }
 

@@ -55,10 +55,9 @@ struct Box {
     float left = 0.0f, bottom = 0.0f, right = 0.0f, top = 0.0f;
 };
 
-/// A joint as Box2D itself draws it, in the world.
+/// A joint, in the world: from the first body's origin over both anchors to the second body's.
 struct Joint {
-    std::array<Vec, 2> anchors;
-    std::vector<std::array<Vec, 2>> segments; ///< what b2Joint::Draw draws
+    std::array<Vec, 4> line;
 };
 
 /// A point of a touching contact's manifold, in the world.

@@ -93,8 +93,8 @@ shown::Fixture ShowFixture(const b2Fixture &fixture) {
     return record;
 }
 
-/// Bodies, fixtures and, where `boxes`, those of the broad phase.
-void AddBodies(const b2World &world, bool boxes, shown::Frame *frame) {
+/// Bodies, fixtures and the boxes of the broad phase.
+void AddBodies(const b2World &world, shown::Frame *frame) {
     for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
         const b2Transform &xf = body->GetTransform();
         shown::Body record;
@@ -106,7 +106,7 @@ void AddBodies(const b2World &world, bool boxes, shown::Frame *frame) {
         frame->bodies.push_back(record);
         for (const b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
             frame->fixtures.push_back(ShowFixture(*f));
-            const int32 children = boxes && body->IsEnabled() ? f->GetShape()->GetChildCount() : 0;
+            const int32 children = body->IsEnabled() ? f->GetShape()->GetChildCount() : 0;
             for (int32 child = 0; child < children; ++child) {
                 const b2AABB &box = f->GetAABB(child);
                 frame->boxes.push_back(
@@ -116,34 +116,14 @@ void AddBodies(const b2World &world, bool boxes, shown::Frame *frame) {
     }
 }
 
-/// Keeps the lines that Box2D draws.
-class LineKeeper final : public b2Draw {
-public:
-    std::vector<std::array<Vec, 2>> lines;
-
-    void DrawPolygon(const b2Vec2 *, int32, const b2Color &) override {}
-    void DrawSolidPolygon(const b2Vec2 *, int32, const b2Color &) override {}
-    void DrawCircle(const b2Vec2 &, float, const b2Color &) override {}
-    void DrawSolidCircle(const b2Vec2 &, float, const b2Vec2 &, const b2Color &) override {}
-    void DrawSegment(const b2Vec2 &from, const b2Vec2 &to, const b2Color &) override {
-        lines.push_back({ToVec(from), ToVec(to)});
-    }
-    void DrawTransform(const b2Transform &) override {}
-    void DrawPoint(const b2Vec2 &, float, const b2Color &) override {}
-};
-
-/// As b2Joint::Draw draws them.
+/// From body to body over both anchors.
 void AddJoints(const b2World &world, shown::Frame *frame) {
     for (const b2Joint *constant = world.GetJointList(); constant != nullptr;
          constant = constant->GetNext()) {
         // Its anchors are not const in Box2D, though asking changes nothing.
         auto *joint = const_cast<b2Joint *>(constant);
-        LineKeeper keeper;
-        joint->Draw(&keeper);
-        shown::Joint record;
-        record.anchors = {ToVec(joint->GetAnchorA()), ToVec(joint->GetAnchorB())};
-        record.segments = std::move(keeper.lines);
-        frame->joints.push_back(std::move(record));
+        frame->joints.push_back({{ToVec(joint->GetBodyA()->GetPosition()), ToVec(joint->GetAnchorA()),
+                                  ToVec(joint->GetAnchorB()), ToVec(joint->GetBodyB()->GetPosition())}});
     }
 }
 
@@ -213,7 +193,7 @@ shown::Frame FrameMaker::Take(const b2World &world) {
     frame.program = PluginName();
     frame.step = m_step;
     m_outlines.clear();
-    AddBodies(world, m_range.boxes, &frame);
+    AddBodies(world, &frame);
     AddJoints(world, &frame);
     AddTouching(world, &frame);
     AddPairs(world, &frame);

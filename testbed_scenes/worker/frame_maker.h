@@ -17,7 +17,6 @@ namespace testbed {
 /// The steps whose frames are printed: first, first + every, ... up to last.
 struct FrameRange {
     int first = 0, last = 0, every = 1;
-    bool boxes = false; ///< with the boxes of the broad phase
 
     bool Has(int step) const { return step >= first && step <= last && (step - first) % every == 0; }
 };

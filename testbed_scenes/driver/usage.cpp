@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "command_line/usage.h"
+#include "usage.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <regex>
 #include <sstream>
-#include <vector>
 
-#include <CLI/CLI.hpp>
-#include <sys/stat.h>
-
-namespace command_line {
+namespace testbed {
 
 int EditDistance(const std::string &a, const std::string &b) {
     // Three rows of the table: a swap of neighbours looks two rows back.
@@ -92,10 +87,6 @@ public:
     std::string Ahead() const { return HasCommand() ? m_command->get_name() + ": " : ""; }
     /// "render has", or "there is" where there is no command.
     std::string Has() const { return HasCommand() ? m_command->get_name() + " has" : "there is"; }
-    /// "render needs ", or words for where there is no command.
-    std::string Needs() const {
-        return HasCommand() ? m_command->get_name() + " needs " : "what is missing is ";
-    }
     std::string Help() const {
         return " (" + m_app.get_name() + (HasCommand() ? " " + m_command->get_name() : "") +
                " --help shows all)";
@@ -112,7 +103,7 @@ public:
                 break;
             const bool isOption = word.size() > 1 && word[0] == '-' && word[1] != '.' &&
                                   std::isdigit(static_cast<unsigned char>(word[1])) == 0;
-            const std::string name = word.substr(0, word.find('='));
+            std::string name = word.substr(0, word.find('='));
             // Of a short option the value may follow at once.
             if (isOption && Find(name) == nullptr && (name[1] == '-' || Find(name.substr(0, 2)) == nullptr))
                 return name;
@@ -134,55 +125,24 @@ private:
     std::vector<std::string> m_words;
 };
 
-std::string OptionName(const CLI::Option *option, const std::string &otherwise) {
-    if (option == nullptr)
-        return otherwise;
-    return option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front();
-}
-
-/// "", or what the option is, on lines of its own.
+/// What the option is, on a line of its own.
 std::string Described(const CLI::Option *option) {
-    if (option == nullptr || option->get_description().empty())
-        return "";
-    static const std::regex newLine("\n");
-    return "\n    " + OptionName(option, "") + ": " +
-           std::regex_replace(option->get_description(), newLine, "\n        ");
+    const std::vector<std::string> &names = option->get_lnames();
+    return "\n    " + (names.empty() ? option->get_name() : "--" + names.front()) + ": " +
+           option->get_description();
 }
 
-/// Without the zeros that end a fraction.
-std::string Shortened(const std::string &number) {
-    static const std::regex zeros("\\.?0+$");
-    return number.find('.') == std::string::npos ? number : std::regex_replace(number, zeros, "");
-}
-
-/// What a check of CLI11's says about a value.
-std::string ExplainValue(const CLI::Option *option, const std::string &said) {
-    static const std::regex range("Value (.*) not in range (\\S+) to (\\S+)"),
-        words("(.*) not in \\{(.*)\\}"), mapped("Check (.*) value in \\{(.*?)\\} OR .*"),
-        missing("(File|Directory) does not exist: (.*)");
+/// CLI11 names the words that an option takes: which of them is the nearest to what it was given?
+std::string NearestOf(const std::string &said) {
+    static const std::regex words("\\S+: (.*) not in \\{(.*)\\}");
     std::smatch found;
-    if (std::regex_match(said, found, range)) {
-        const bool whole = option != nullptr && option->get_type_name().find("INT") != std::string::npos;
-        return "\"" + found[1].str() + "\" is no " + (whole ? "whole " : "") + "number from " +
-               Shortened(found[2].str()) + " to " + Shortened(found[3].str());
-    }
-    if (std::regex_match(said, found, words) || std::regex_match(said, found, mapped)) {
-        std::vector<std::string> names;
-        std::istringstream list(found[2].str());
-        std::string all;
-        for (std::string name; std::getline(list, name, ',');) {
-            name.erase(std::min(name.find("->"), name.size())); // what a name stands for
-            all += (names.empty() ? "" : ", ") + name;
-            names.push_back(name);
-        }
-        return "\"" + found[1].str() + "\" is none of " + all + NearestClause(found[1].str(), names);
-    }
-    if (std::regex_match(said, found, missing)) {
-        struct stat ignored = {};
-        const int error = stat(found[2].str().c_str(), &ignored) != 0 ? errno : ENOENT;
-        return "cannot read " + found[2].str() + ": " + std::strerror(error);
-    }
-    return said;
+    if (!std::regex_match(said, found, words))
+        return "";
+    std::vector<std::string> names;
+    std::istringstream list(found[2].str());
+    for (std::string name; std::getline(list, name, ',');)
+        names.push_back(name);
+    return NearestClause(found[1].str(), names);
 }
 
 } // namespace
@@ -204,7 +164,6 @@ std::string ExplainCommand(const CLI::App &app, int argc, char **argv) {
 std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int argc, char **argv) {
     const Scope scope(app, argc, argv);
     const std::string said = error.what();
-    const auto is = [&error](CLI::ExitCodes code) { return error.get_exit_code() == static_cast<int>(code); };
     if (const std::string unknown = scope.UnknownOption(); !unknown.empty())
         return scope.Has() + " no option \"" + unknown + "\"" + NearestClause(unknown, scope.OptionNames()) +
                scope.Help();
@@ -214,44 +173,25 @@ std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int 
             all += (all.empty() ? "" : ", ") + command->get_name();
         return "a command is wanted: " + all + scope.Help();
     }
-    if (is(CLI::ExitCodes::ExtrasError))
-        return scope.Ahead() + "\"" + said.substr(said.find_last_of(" :") + 1) +
-               "\" is one argument too many";
-    if (is(CLI::ExitCodes::RequiredError)) {
-        const CLI::Option *option = scope.Find(said.substr(0, said.find(' ')));
-        if (option != nullptr)
-            return scope.Needs() + OptionName(option, "") + Described(option);
-    }
-    static const std::regex excludes("(\\S+) excludes (\\S+)"), needs("(\\S+) requires (\\S+)");
+    // The option's name begins what CLI11 says, or follows its first words.
+    static const std::regex name("(?:Could not convert: )?([\\w-]+).*");
     std::smatch found;
-    if (std::regex_match(said, found, excludes))
-        return scope.Ahead() + found[1].str() + " and " + found[2].str() + " do not go together";
-    if (std::regex_match(said, found, needs))
-        return scope.Ahead() + found[1].str() + " is nothing without " + found[2].str();
-    static const std::regex convert("Could not convert: (\\S+) = (.*)");
-    if (std::regex_match(said, found, convert)) {
-        const CLI::Option *option = scope.Find(found[1].str());
-        const bool whole = option != nullptr && option->get_type_name().find("INT") != std::string::npos;
-        return scope.Ahead() + OptionName(option, found[1].str()) + ": \"" + found[2].str() + "\" is no " +
-               (whole ? "whole " : "") + "number" + Described(option);
-    }
-    const size_t colon = said.find(": ");
-    const CLI::Option *option = colon != std::string::npos ? scope.Find(said.substr(0, colon)) : nullptr;
-    if (option == nullptr)
-        return scope.Ahead() + said + scope.Help();
-    const bool tooMany = said.find("At Most") != std::string::npos;
-    const std::string what = is(CLI::ExitCodes::ArgumentMismatch)
-                                 ? (tooMany ? "it is given more than once" : "a value is missing")
-                                 : ExplainValue(option, said.substr(colon + 2));
-    return scope.Ahead() + OptionName(option, "") + ": " + what + Described(option);
+    const bool isNamed = std::regex_match(said, found, name);
+    const CLI::Option *option = isNamed ? scope.Find(found[1].str()) : nullptr;
+    return scope.Ahead() + said + NearestOf(said) + (option != nullptr ? Described(option) : scope.Help());
 }
 
-std::string CheckSeed(const std::string &text) {
-    errno = 0;
-    char *end = nullptr;
-    std::strtoull(text.c_str(), &end, 10);
-    const bool isDigits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-    return isDigits && errno == 0 ? "" : "\"" + text + "\" is no whole number from 0 to 18446744073709551615";
+CLI::Validator Whole(uint64_t least, uint64_t most) {
+    const std::string range = std::to_string(least) + " to " + std::to_string(most);
+    return CLI::Validator(
+        [=](const std::string &text) {
+            errno = 0;
+            const bool isDigits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+            const uint64_t number = std::strtoull(text.c_str(), nullptr, 10);
+            const bool isIn = isDigits && errno == 0 && number >= least && number <= most;
+            return isIn ? "" : "\"" + text + "\" is no whole number from " + range;
+        },
+        range);
 }
 
-} // namespace command_line
+} // namespace testbed

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-#ifndef BOOMERANG_COMMAND_LINE_USAGE_H
-#define BOOMERANG_COMMAND_LINE_USAGE_H
+#ifndef BOOMERANG_TESTBED_USAGE_H
+#define BOOMERANG_TESTBED_USAGE_H
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-class ParseError;
-} // namespace CLI
+#include <CLI/CLI.hpp>
 
-namespace command_line {
+namespace testbed {
 
 /// The fewest insertions, deletions, replacements and swaps of neighbours that turn one word into the other
 /// (optimal string alignment). O(|a| |b|).
@@ -28,14 +26,16 @@ std::string NearestClause(const std::string &word, const std::vector<std::string
 /// (CLI11 alone would only miss one.)
 std::string ExplainCommand(const CLI::App &app, int argc, char **argv);
 
-/// What is wrong with a command line that CLI11 would not take, in words like those of our own errors: which
-/// command (if the program has some), which option, what it takes, and the nearest name where one is near.
-/// The program's name, which stands ahead of that, is the caller's to print. `app` has a name.
+/// What is wrong with a command line that CLI11 would not take: which command, which option, what it takes,
+/// and the nearest name where one is near. The program's name, which stands ahead of that, is the caller's to
+/// print. `app` has a name.
 std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int argc, char **argv);
 
-/// For options that are seeds (CLI11 reads -1 as the largest number there is): what is wrong, or nothing.
-std::string CheckSeed(const std::string &text);
+/// Takes the whole numbers of a range. (CLI11's own Range takes 3.5 for one that is too large or too small,
+/// and without it -1 is the largest number there is.) Unless told otherwise `most` is more than anybody
+/// means.
+CLI::Validator Whole(uint64_t least, uint64_t most = 100000000);
 
-} // namespace command_line
+} // namespace testbed
 
 #endif
