@@ -53,10 +53,6 @@ static inline edge_search edge_search_of(const bmr_convex32 *reference, const bm
     return s;
 }
 
-static inline float cross(bmr_vec32 a, bmr_vec32 b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 static inline bmr_vec32 negative(bmr_vec32 a) {
     const bmr_vec32 r = {-a.x, -a.y};
     return r;

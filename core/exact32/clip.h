@@ -68,6 +68,10 @@ static inline float dot(bmr_vec32 a, bmr_vec32 b) {
     return a.x * b.x + a.y * b.y;
 }
 
+static inline float cross(bmr_vec32 a, bmr_vec32 b) {
+    return a.x * b.y - a.y * b.x;
+}
+
 static inline bmr_vec32 minus(bmr_vec32 a, bmr_vec32 b) {
     const bmr_vec32 r = {a.x - b.x, a.y - b.y};
     return r;

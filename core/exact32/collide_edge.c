@@ -91,10 +91,6 @@ static inline bool separate_faces(const posed_polygon *p, const bmr_edge32 *edge
     return best->separation > -FLT_MAX && best->face < 8;
 }
 
-static inline float cross(bmr_vec32 a, bmr_vec32 b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 /// A one-sided edge leaves to its neighbours what lies in their directions: false where the axis does. At a
 /// corner that is not convex it keeps its own axis.
 static inline bool admits(const bmr_edge32 *edge, bmr_vec32 along, const axis *own, axis *primary) {

@@ -267,23 +267,6 @@ void bmr_polygon_destroy(bmr_polygon *polygon, const bmr_allocator *allocator) {
 
 // ---- auditing ----
 
-static bmr_error audit_range(const bmr_polygon *p) {
-    double extent = 0.0, right = p->vertices[0].x, left = right, top = p->vertices[0].y, bottom = top;
-    for (uint32_t i = 0; i < p->count; ++i) {
-        const bmr_vec2 v = p->vertices[i];
-        if (!isfinite(v.x) || !isfinite(v.y))
-            return BMR_ERROR_NOT_FINITE;
-        extent = fmax(extent, fmax(fabs(v.x), fabs(v.y)));
-        right = fmax(right, v.x);
-        left = fmin(left, v.x);
-        top = fmax(top, v.y);
-        bottom = fmin(bottom, v.y);
-    }
-    if (extent > BMR_MAX_COORDINATE || (p->count > 1 && fmax(right - left, top - bottom) < BMR_MIN_SIDE))
-        return BMR_ERROR_OUT_OF_RANGE;
-    return extent == p->extent ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
-}
-
 /// Only left turns, and only one turn in all: exactly one vertex is lower than both its neighbours.
 static bool is_strictly_convex(const bmr_polygon *p) {
     const bmr_vec2 *v = p->vertices;
@@ -302,18 +285,13 @@ static bool is_strictly_convex(const bmr_polygon *p) {
     return bottoms == 1;
 }
 
+/// Does it say of itself what is measured once more?
 static bool is_measured(const bmr_polygon *p) {
-    if (p->lowest >= p->count || p->highest >= p->count || !isfinite(p->center.x) || !isfinite(p->center.y))
-        return false;
-    const bmr_vec2 low = p->vertices[p->lowest], high = p->vertices[p->highest];
-    for (uint32_t i = 0; i < p->count; ++i) {
-        const bmr_vec2 v = p->vertices[i];
-        if (bmr_hull_sweeps_before(v, low) || bmr_hull_sweeps_before(high, v))
-            return false;
-        if (!(hypot(v.x - p->center.x, v.y - p->center.y) <= p->radius))
-            return false;
-    }
-    return true;
+    bmr_polygon again = *p;
+    measure(&again);
+    return p->lowest == again.lowest && p->highest == again.highest && p->center.x == again.center.x &&
+           p->center.y == again.center.y && p->radius == again.radius && p->extent == again.extent &&
+           p->stamp == again.stamp;
 }
 
 bmr_error bmr_polygon_audit(const bmr_polygon *polygon) {
@@ -321,11 +299,12 @@ bmr_error bmr_polygon_audit(const bmr_polygon *polygon) {
         return BMR_ERROR_NULL_ARGUMENT;
     if (polygon->count == 0 || polygon->count > BMR_MAX_VERTICES)
         return BMR_ERROR_INVALID_STRUCTURE;
-    const bmr_error error = audit_range(polygon);
-    if (error == BMR_ERROR_NOT_FINITE || error == BMR_ERROR_OUT_OF_RANGE)
+    const bmr_error error = check_points(polygon->vertices, polygon->count);
+    if (error != BMR_OK)
         return error;
+    if (polygon->count > 1 && box_side(polygon->vertices, polygon->count) < BMR_MIN_SIDE)
+        return BMR_ERROR_OUT_OF_RANGE;
     if (!is_strictly_convex(polygon))
         return BMR_ERROR_NOT_CONVEX;
-    const bool stamped = polygon->stamp == stamp_of(polygon);
-    return error == BMR_OK && stamped && is_measured(polygon) ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
+    return is_measured(polygon) ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
 }

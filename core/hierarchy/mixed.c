@@ -159,9 +159,11 @@ static void chain_corners(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bm
     count_steps(mixed, steps);
 }
 
-/// Names for the places in a figure.
-enum { LINE_L, LINE_E, LINE_R, LINE_BEFORE = 0, LINE_Y, LINE_AFTER };
-enum { CORNER_A, CORNER_C, CORNER_B, CORNER_LOW = 0, CORNER_HIGH, CORNER_V = 0 };
+/// Names for the places in a figure: lines and corners of the owner, and those of the other body.
+enum { LINE_L, LINE_E, LINE_R };
+enum { LINE_BEFORE, LINE_Y, LINE_AFTER };
+enum { CORNER_A, CORNER_C, CORNER_B };
+enum { CORNER_LOW, CORNER_HIGH, CORNER_V };
 
 /// Counter-clockwise, from corner i of the polygon to corner i + 1.
 static const bmr_mixed_part parts[][BMR_MIXED_MAX_SIDES] = {
@@ -269,9 +271,10 @@ bool bmr_mixed_holds(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bmr_vec
 
 size_t bmr_mixed_sides(const bmr_mixed *mixed, const bmr_mixed_cell *cell,
                        bmr_mixed_side sides[BMR_MIXED_MAX_SIDES]) {
-    // The edges that meet in each corner of a figure: of the owner, of a parallelogram's chain.
-    static const uint8_t meeting[2][3][2] = {{{LINE_L, LINE_E}, {LINE_L, LINE_R}, {LINE_E, LINE_R}},
-                                             {{LINE_BEFORE, LINE_Y}, {LINE_Y, LINE_AFTER}, {0, 0}}};
+    // The edges that meet in each corner of a figure.
+    static const uint8_t meeting[2][3][2] = {
+        {{LINE_L, LINE_E}, {LINE_L, LINE_R}, {LINE_E, LINE_R}},
+        {{LINE_BEFORE, LINE_Y}, {LINE_Y, LINE_AFTER}, {LINE_BEFORE, LINE_AFTER}}};
     bmr_edge edges[2][3];
     if (cell->kind == BMR_MIXED_INSIDE)
         return 0;
@@ -280,10 +283,9 @@ size_t bmr_mixed_sides(const bmr_mixed *mixed, const bmr_mixed_cell *cell,
         const bmr_mixed_part *part = &parts[cell->kind][i];
         const int at = 1 - part->of;
         const uint8_t *pair = meeting[at][part->corner];
-        const bool is_v = at == 1 && edges[1][LINE_Y] == BMR_NO_EDGE;
         sides[i].edge = edges[part->of][part->line];
-        sides[i].corner[0] = is_v ? cell->other[0] : edges[at][pair[0]];
-        sides[i].corner[1] = is_v ? cell->other[1] : edges[at][pair[1]];
+        sides[i].corner[0] = edges[at][pair[0]];
+        sides[i].corner[1] = edges[at][pair[1]];
         sides[i].role = part->role;
         sides[i].owner = part->of ? (uint8_t)(1 - cell->owner) : cell->owner;
         sides[i].beyond = part->beyond;
@@ -307,23 +309,6 @@ size_t bmr_mixed_polygon(const bmr_mixed *mixed, const bmr_mixed_cell *cell,
     bmr_mixed_draw(mixed, cell, &figure);
     bmr_mixed_figure_polygon(mixed, cell, &figure, corners);
     return figure.sides;
-}
-
-double bmr_mixed_height(const bmr_mixed *mixed, const bmr_mixed_cell *cell) {
-    const int x = cell->owner;
-    if (cell->kind == BMR_MIXED_INSIDE || cell->kind == BMR_MIXED_OUTSIDE)
-        return 0.0;
-    const outer o = outer_of(mixed, cell);
-    const bmr_vec2 c = bmr_mixed_corner(mixed, x, o.l, o.r);
-    if (cell->kind == BMR_MIXED_TRIANGLE) {
-        const bmr_line line = bmr_mixed_line(mixed, x, cell->edge);
-        return bmr_dot(line.normal, c) - line.offset;
-    }
-    const bool before = cell->kind == BMR_MIXED_BEFORE;
-    const bmr_vec2 n = into_a(mixed, 1 - x, bmr_mixed_line(mixed, 1 - x, cell->other[0]).normal);
-    const bmr_vec2 end =
-        before ? bmr_mixed_corner(mixed, x, o.l, cell->edge) : bmr_mixed_corner(mixed, x, cell->edge, o.r);
-    return fabs(bmr_dot(n, into_a(mixed, x, bmr_sub(c, end))));
 }
 
 bmr_mixed_cell bmr_mixed_triangle(const bmr_mixed *mixed, int owner, bmr_edge edge) {

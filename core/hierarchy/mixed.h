@@ -35,7 +35,7 @@ typedef struct bmr_mixed_part {
 
 /// All that a cell's sides are made of, each line and corner computed once. Of the owner: the edges L, e, R
 /// and the corners a, c, b. Of the other body: those before, y, after, and the low and the high corner of y;
-/// of a triangle those before and after (0 and 2), and the corner v (0). In the bodies' own frames, with the
+/// of a triangle those before and after (0 and 2), and the corner v (2). In the bodies' own frames, with the
 /// offset; what the kind has no use for is not set.
 typedef struct bmr_mixed_figure {
     const bmr_mixed_part *parts;

@@ -87,9 +87,6 @@ double bmr_mixed_side_value(const bmr_mixed *mixed, const bmr_mixed_side *side, 
 /// 0.
 size_t bmr_mixed_polygon(const bmr_mixed *mixed, const bmr_mixed_cell *cell,
                          bmr_vec2 corners[BMR_MIXED_MAX_SIDES]);
-/// Distance from a triangle's corner c to its line e; of a parallelogram: from its outer to its inner side.
-double bmr_mixed_height(const bmr_mixed *mixed, const bmr_mixed_cell *cell);
-
 /// What the cell needs of the rotation: edge `first` of body `owner` comes before edge `second` of the other.
 typedef struct bmr_mixed_order {
     bmr_edge first, second;

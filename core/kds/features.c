@@ -303,13 +303,8 @@ bmr_error bmr_features_audit(const bmr_kds *kds, const bmr_feature_pair *pair, c
     // Two points that far apart, and two parallel lines that far apart: it is the distance.
     bmr_kds_proof proof;
     bmr_features_proof(kds, pair, b_in_a, &proof);
-    const bmr_polygon *other = kds->shapes[1 - owner].polygon;
-    const bmr_pose other_in_own = owner == 0 ? *b_in_a : bmr_pose_inverse(b_in_a);
-    double most = -INFINITY, least = INFINITY;
-    for (uint32_t k = 0; k < own->count; k++)
-        most = fmax(most, bmr_dot(proof.line.normal, own->vertices[k]));
-    for (uint32_t k = 0; k < other->count; k++)
-        least = fmin(least, bmr_dot(proof.line.normal, bmr_transform(&other_in_own, other->vertices[k])));
+    double most, least;
+    bmr_kds_extremes(kds, owner, b_in_a, proof.line.normal, &most, &least);
     const double slop = 10.0 * bmr_features_overlap(kds) + AUDIT_TOLERANCE * distance;
     return distance - (least - most) <= slop ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
 }

@@ -289,12 +289,8 @@ static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
         return bmr_features_audit(kds, &s->pair, b_in_a);
     bmr_kds_proof line;
     proof_at(kds, b_in_a, &line);
-    const bmr_vec2 n = line.line.normal;
-    double most = -INFINITY, least = INFINITY;
-    for (uint32_t i = 0; i < kds->shapes[0].polygon->count; i++)
-        most = fmax(most, bmr_dot(n, kds->shapes[0].polygon->vertices[i]));
-    for (uint32_t i = 0; i < kds->shapes[1].polygon->count; i++)
-        least = fmin(least, bmr_dot(n, bmr_transform(b_in_a, kds->shapes[1].polygon->vertices[i])));
+    double most, least;
+    bmr_kds_extremes(kds, 0, b_in_a, line.line.normal, &most, &least);
     const double mitre = MOST_MITRE * extents(kds), slop = 1e3 * bmr_features_overlap(kds);
     const double gap_a = line.line.offset - most, gap_b = least - line.line.offset - kds->def.margin;
     const bool touches = s->thick == 0 ? gap_a <= mitre && gap_b <= slop : gap_a <= slop && gap_b <= mitre;

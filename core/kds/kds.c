@@ -167,22 +167,30 @@ bmr_vec2 bmr_kds_cone_end(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 i
     return end;
 }
 
+void bmr_kds_extremes(const bmr_kds *kds, int owner, const bmr_pose *b_in_a, bmr_vec2 normal,
+                      double *own_most, double *other_least) {
+    const bmr_polygon *own = kds->shapes[owner].polygon, *other = kds->shapes[1 - owner].polygon;
+    const bmr_pose other_in_own = owner == 0 ? *b_in_a : bmr_pose_inverse(b_in_a);
+    *own_most = -INFINITY;
+    *other_least = INFINITY;
+    for (uint32_t i = 0; i < own->count; i++)
+        *own_most = fmax(*own_most, bmr_dot(normal, own->vertices[i]));
+    for (uint32_t i = 0; i < other->count; i++)
+        *other_least = fmin(*other_least, bmr_dot(normal, bmr_transform(&other_in_own, other->vertices[i])));
+}
+
 /// Brute force over every vertex: does the proof's line separate by more than the margin, up to the rounding
 /// of this very computation?
 static bmr_error audit_line(const bmr_kds *kds, const bmr_pose *b_in_a, const bmr_kds_proof *proof) {
     const bmr_polygon *own = kds->shapes[proof->owner].polygon,
                       *other = kds->shapes[1 - proof->owner].polygon;
-    const bmr_pose other_in_own = proof->owner == 0 ? *b_in_a : bmr_pose_inverse(b_in_a);
     const double slop =
         1e-12 * (own->extent + other->extent + fabs(b_in_a->position.x) + fabs(b_in_a->position.y));
     const bmr_vec2 n = proof->line.normal;
     if (!(fabs(hypot(n.x, n.y) - 1.0) < 1e-9))
         return BMR_ERROR_FALSE_CERTIFICATE;
-    double own_most = -INFINITY, other_least = INFINITY;
-    for (uint32_t i = 0; i < own->count; i++)
-        own_most = fmax(own_most, bmr_dot(n, own->vertices[i]));
-    for (uint32_t i = 0; i < other->count; i++)
-        other_least = fmin(other_least, bmr_dot(n, bmr_transform(&other_in_own, other->vertices[i])));
+    double own_most, other_least;
+    bmr_kds_extremes(kds, proof->owner, b_in_a, n, &own_most, &other_least);
     if (own_most > proof->line.offset + slop || !(other_least - proof->line.offset > kds->def.margin - slop))
         return BMR_ERROR_FALSE_CERTIFICATE;
     return BMR_OK;

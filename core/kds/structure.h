@@ -59,6 +59,10 @@ static inline void bmr_kds_tally(const bmr_kds *kds, unsigned steps) {
 /// The signed separation of the two polygons along a direction of A's frame (unit length): min over B - max
 /// over A. O(log n).
 double bmr_kds_separation(const bmr_kds *kds, const bmr_pose *b_in_a, bmr_vec2 direction);
+/// Along a direction of the owner's frame: the most of its own vertices, and the least of the other's. Brute
+/// force, for audits.
+void bmr_kds_extremes(const bmr_kds *kds, int owner, const bmr_pose *b_in_a, bmr_vec2 normal,
+                      double *own_most, double *other_least);
 /// The direction of the closest points and the exact distance, from vertices `*a`, `*b` as hints (any value),
 /// which become the support vertices in it. False: the distance is at most bmr_kds_reach. O(log n), O(log k)
 /// for an answer k edges from the hints.

@@ -171,23 +171,3 @@ bmr_answer bmr_pair_advance(bmr_pair *pair, const bmr_pair_def *def, const bmr_s
     }
     return repair(pair, def, a, b, b_in_a, observer, check, gap);
 }
-
-bmr_error bmr_pairs_check(const bmr_pair *pairs, const bmr_pair_bodies *bodies, size_t count,
-                          const bmr_pose *poses, size_t pose_count, double margin, size_t *failed,
-                          size_t *failed_count) {
-    if (!pairs || !bodies || !poses || !failed || !failed_count)
-        return BMR_ERROR_NULL_ARGUMENT;
-    if (!(margin >= 0.0))
-        return BMR_ERROR_OUT_OF_RANGE;
-    size_t number = 0;
-    for (size_t i = 0; i < count; ++i) {
-        if (bodies[i].a >= pose_count || bodies[i].b >= pose_count)
-            return BMR_ERROR_OUT_OF_RANGE;
-        const bmr_pose b_in_a = bmr_pose_relative(&poses[bodies[i].a], &poses[bodies[i].b]);
-        double gap;
-        if (!bmr_pair_takes(&b_in_a) || !bmr_pair_check(&pairs[i], &b_in_a, margin, &gap))
-            failed[number++] = i;
-    }
-    *failed_count = number;
-    return BMR_OK;
-}

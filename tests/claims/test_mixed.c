@@ -205,7 +205,6 @@ TEST(what_is_no_cell_has_neither_sides_nor_height_nor_neighbours) {
         const bmr_mixed_cell *cell = k == 0 ? &inside : &outside;
         bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
         assert_int_equal(bmr_mixed_polygon(&mixed, cell, corners), 0);
-        assert_true(bmr_mixed_height(&mixed, cell) == 0.0);
         const bmr_mixed_cell next = bmr_mixed_next(&mixed, cell, BMR_MIXED_INNER, &ray, &touched);
         assert_memory_equal(&next, cell, sizeof next);
     }
@@ -427,14 +426,26 @@ TEST(a_full_turn_has_one_page_turn_collapse_and_expansion_for_each_pair_of_edges
 
 // --- Lemma mixed2 ---
 
+/// How far a cell reaches from its inner side.
+static double height_of(const bmr_mixed *mixed, const bmr_mixed_cell *cell) {
+    bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
+    bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
+    const size_t count = bmr_mixed_polygon(mixed, cell, corners);
+    bmr_mixed_sides(mixed, cell, sides);
+    double height = 0.0;
+    for (size_t i = 0; i < count; ++i)
+        for (size_t k = 0; k < count && sides[i].role == BMR_MIXED_INNER; ++k)
+            height = fmax(height, fabs(bmr_mixed_side_value(mixed, &sides[i], corners[k])));
+    return height;
+}
+
 /// The most cells of height >= s over sqrt(D / s), for s = D / 4^k.
 static double tall_cells(const scene *s, double diameter) {
     double most = 0.0;
     for (int k = 0; k < 16; ++k) {
         size_t count = 0;
         for (uint32_t i = 0; i < bmr_mixed_tiling_count(s->tiling); ++i)
-            count +=
-                bmr_mixed_height(&s->mixed, bmr_mixed_tiling_cell(s->tiling, i)) >= diameter * pow(4.0, -k);
+            count += height_of(&s->mixed, bmr_mixed_tiling_cell(s->tiling, i)) >= diameter * pow(4.0, -k);
         most = fmax(most, (double)count / pow(2.0, k));
     }
     return most;

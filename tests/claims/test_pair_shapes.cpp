@@ -208,9 +208,10 @@ TEST_CASE("polygons of other vertices have another stamp, and one that was writt
     bmr_polygon *written = nullptr;
     REQUIRE(bmr_polygon_create_raw(box.polygon->vertices, box.polygon->count, nullptr, &written) == BMR_OK);
     CHECK(bmr_polygon_audit(written) == BMR_OK);
-    const_cast<bmr_vec2 *>(written->vertices)[1].x += 1e-12; // within every other promise
-    written->radius += 1.0;
-    written->extent = std::fmax(written->extent, written->vertices[1].x);
+    written->stamp ^= 1u; // within every other promise
+    CHECK(bmr_polygon_audit(written) == BMR_ERROR_INVALID_STRUCTURE);
+    written->stamp ^= 1u;
+    const_cast<bmr_vec2 *>(written->vertices)[1].x += 1e-12;
     CHECK(bmr_polygon_audit(written) == BMR_ERROR_INVALID_STRUCTURE);
     bmr_polygon_destroy(written, nullptr);
 }

@@ -224,17 +224,6 @@ TEST_CASE("boomerang/distance.h, with the pose on either side") {
 }
 
 TEST_CASE("boomerang/pair.h, boomerang/kds.h") {
-    Row("bmr_pairs_check", [](Asked &ask) {
-        bmr_pair pair;
-        bmr_pair_init(&pair);
-        const double body = ask.Number("body of a pair", 1, OutOfRange({2, UINT32_MAX})),
-                     margin = ask.Number("margin", 0,
-                                         kNotBelowZero + OutOfRange({kNaN}) + Gives(kOk, {kInfinity}));
-        const bmr_pair_bodies bodies = {0, static_cast<uint32_t>(body)};
-        const bmr_pose poses[2] = {bmr_pose_identity(), bmr_pose_identity()};
-        size_t failed = 0, count = 77;
-        return ask.Says(bmr_pairs_check(&pair, &bodies, 1, poses, 2, margin, &failed, ask.Watched(&count)));
-    });
     CHECK(bmr_structure_name(BMR_STRUCTURE_COUNT) == nullptr);
     CHECK(bmr_event_name(BMR_EVENT_KIND_COUNT) == nullptr);
     CHECK(bmr_kds_event_name(BMR_KDS_EVENT_KIND_COUNT) == nullptr);

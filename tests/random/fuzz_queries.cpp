@@ -95,7 +95,7 @@ void AskDistance(const bmr_polygon *a, const bmr_polygon *b, fuzz_bytes *bytes) 
                "depth %.17g, which is %.17Lg", overlap.depth, -truth);
 }
 
-/// Some bodies of two shapes, a pair of every two neighbours: advanced, moved, and looked at all at once.
+/// Some bodies of two shapes, a pair of every two neighbours: advanced, moved, and checked.
 void AskManyPairs(const bmr_polygon *a, const bmr_polygon *b, fuzz_bytes *bytes) {
     constexpr uint32_t kBodies = 6;
     const bmr_shape shapes[2] = {{a, {}, {}}, {b, {}, {}}};
@@ -106,12 +106,10 @@ void AskManyPairs(const bmr_polygon *a, const bmr_polygon *b, fuzz_bytes *bytes)
     def.margin = margin;
     bmr_pose poses[kBodies];
     bmr_pair pairs[kBodies - 1];
-    bmr_pair_bodies bodies[kBodies - 1];
     for (bmr_pose &pose : poses)
         pose = ReadPose(bytes, reach);
     for (uint32_t i = 0; i + 1 < kBodies; ++i) {
         bmr_pair_init(&pairs[i]);
-        bodies[i] = {i, i + 1};
         const bmr_pose relative = bmr_pose_relative(&poses[i], &poses[i + 1]);
         if (fuzz_u8(bytes) % 8 != 0) // else it knows nothing yet
             bmr_pair_advance(&pairs[i], &def, &shapes[i % 2], &shapes[1 - i % 2], &relative, nullptr,
@@ -120,34 +118,18 @@ void AskManyPairs(const bmr_polygon *a, const bmr_polygon *b, fuzz_bytes *bytes)
     for (bmr_pose &pose : poses)
         if (fuzz_u8(bytes) % 2 == 0)
             pose = ReadPose(bytes, fuzz_u8(bytes) % 2 == 0 ? reach : 1e-3 * reach);
-    if (fuzz_u8(bytes) % 16 == 0)
-        bodies[fuzz_below(bytes, kBodies - 1)].b = fuzz_u32(bytes);
-    const uint8_t asked = fuzz_u8(bytes);
-    const double look = asked % 16 == 0 ? fuzz_number(bytes) : margin;
-    bool refused = !(look >= 0.0);
-    for (const bmr_pair_bodies &two : bodies)
-        refused = refused || two.a >= kBodies || two.b >= kBodies;
-    size_t failed[kBodies], count = 77;
-    const bmr_error error = bmr_pairs_check(pairs, bodies, kBodies - 1, poses, kBodies, look, failed, &count);
-    FUZZ_CHECK(error == (refused ? BMR_ERROR_OUT_OF_RANGE : BMR_OK), "pairs_check: error %d", error);
-    FUZZ_CHECK(!refused || count == 77, "an error wrote the count");
-    if (refused)
-        return;
-    for (size_t k = 0; k < count; ++k)
-        FUZZ_CHECK(failed[k] + 1 < kBodies && (k == 0 || failed[k - 1] < failed[k]), "not ascending");
-    size_t next = 0;
+    const double look = fuzz_u8(bytes) % 16 == 0 ? fuzz_number(bytes) : margin;
     for (uint32_t i = 0; i + 1 < kBodies; ++i) {
-        const bmr_pose &first = poses[bodies[i].a], &second = poses[bodies[i].b];
-        const bmr_pose relative = bmr_pose_relative(&first, &second);
-        bool holds = !(next < count && failed[next] == i);
-        next += holds ? 0 : 1;
-        FUZZ_CHECK(!holds || bmr_pair_takes(&relative), "holds at a pose that is none");
+        const bmr_pose relative = bmr_pose_relative(&poses[i], &poses[i + 1]);
+        double checked;
+        bool holds =
+            bmr_pair_takes(&relative) && look >= 0.0 && bmr_pair_check(&pairs[i], &relative, look, &checked);
         if (fuzz_control("held"))
             holds = bmr_pair_takes(&relative);
         // Between bodies far from the origin, their relative pose is known to rounding, and one whose (c, s)
         // is off unit length scales the other body.
         const double off = std::fabs(relative.c * relative.c + relative.s * relative.s - 1.0);
-        if (!holds || i + 1 != bodies[i].b || off > 1e-14)
+        if (!holds || off > 1e-14)
             continue;
         const long double gap =
             distance::SignedDistance(distance::Transformed(shapes[i % 2].polygon, bmr_pose_identity()),

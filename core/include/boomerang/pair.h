@@ -190,21 +190,6 @@ static inline bool bmr_pair_check(const bmr_pair *pair, const bmr_pose *b_in_a, 
 bmr_answer bmr_pair_advance(bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b,
                             const bmr_pose *b_in_a, const bmr_observer *observer, double *gap);
 
-/// The two bodies of a pair: indices into the array of poses.
-typedef struct bmr_pair_bodies {
-    uint32_t a, b;
-} bmr_pair_bodies;
-
-/// bmr_pair_check for many pairs at once. pairs[i] is of the bodies bodies[i], whose poses in the world are
-/// in `poses`. `failed` has room for `count`. It gets the indices of the pairs whose certificate does not
-/// hold by more than `margin`, in ascending order, and *failed_count their number. Advance these; all others
-/// are apart. A pair whose relative pose bmr_pair_takes refuses fails. O(count), nothing is allocated.
-/// Errors: NULL_ARGUMENT; OUT_OF_RANGE (a body that is not less than `pose_count`, a margin that is negative
-/// or NaN). Then *failed_count is untouched, and the contents of `failed` are unspecified.
-bmr_error bmr_pairs_check(const bmr_pair *pairs, const bmr_pair_bodies *bodies, size_t count,
-                          const bmr_pose *poses, size_t pose_count, double margin, size_t *failed,
-                          size_t *failed_count);
-
 /// Proves the pair's state again from scratch at the pose of its last advance: by brute force over all
 /// vertices; for the lazy structures also that the edge is on its level, the corner is the extreme one of its
 /// level, and the window is its point. OK for a pair in contact or new. Errors: NULL_ARGUMENT;
