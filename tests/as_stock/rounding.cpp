@@ -7,8 +7,6 @@ using namespace as_stock;
 
 namespace {
 
-enum class When { kBefore, kLater, kInTurn, kListening };
-
 /// Boxes that are an ulp too wide are seen nowhere else.
 void AddBounds(Game &game) {
     for (const b2Body *body = game.world.GetBodyList(); body != nullptr; body = body->GetNext())
@@ -33,15 +31,16 @@ void AddTerrain(Game &game) {
         game.Box({201.3f + 1.4f * Real(i), 1.7f}, {0.3f, 0.2f});
 }
 
-void PlayRounded(Run &run, int mode, When when) {
-    if (when == When::kBefore)
-        std::fesetround(mode);
+/// The first step is rounded otherwise; then every third one, or those from each second call of a listener's
+/// on.
+void PlayRounded(Run &run, int mode, bool listens) {
+    std::fesetround(mode);
     Game game(run, {0.0f, -10.0f});
     FillWithBoxes(game.world);
     game.Wheel({-3.0f, 20.0f}, 24, 1.5f);
     game.Wheel({-2.0f, 24.0f}, 24, 1.5f);
     AddTerrain(game);
-    if (when == When::kListening)
+    if (listens)
         game.Listen();
     int calls = 0, rounded = 0;
     game.listener.begin = [&run, &calls, mode] {
@@ -49,10 +48,8 @@ void PlayRounded(Run &run, int mode, When when) {
         std::fesetround(++calls % 2 == 0 ? mode : FE_TONEAREST);
     };
     for (int step = 0; step < 150; ++step) {
-        if (when == When::kLater && step == 40)
-            std::fesetround(mode);
-        if (when == When::kInTurn)
-            std::fesetround(step % 3 == 2 ? mode : FE_TONEAREST);
+        if (!listens)
+            std::fesetround(step % 3 == 0 ? mode : FE_TONEAREST);
         game.Step();
         AddBounds(game);
         rounded += std::fegetround() == mode;
@@ -62,27 +59,12 @@ void PlayRounded(Run &run, int mode, When when) {
     game.TookPlace(game.Touching(), "boxes touch");
 }
 
-void PlayAll(When when) {
-    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
-        AsStock([=](Run &run) { PlayRounded(run, mode, when); });
-}
-
 } // namespace
 
-TEST_CASE("before: a thread is rounded otherwise before its first step") {
-    PlayAll(When::kBefore);
-}
-
-TEST_CASE("later: a thread is rounded otherwise from some step on") {
-    PlayAll(When::kLater);
-}
-
-TEST_CASE("in turn: every third step is rounded otherwise") {
-    PlayAll(When::kInTurn);
-}
-
-TEST_CASE("listening: a listener changes how it is rounded, and that stays") {
-    PlayAll(When::kListening);
+TEST_CASE("rounded: every third step is rounded otherwise, or a listener changes how it is, and that stays") {
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+        for (const bool listens : {false, true})
+            AsStock([=](Run &run) { PlayRounded(run, mode, listens); });
 }
 
 // Rows of boxes that are too near each other, and turn.

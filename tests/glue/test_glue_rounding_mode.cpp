@@ -1,54 +1,23 @@
 // SPDX-License-Identifier: MIT
-// A thread that rounds otherwise than to nearest has Box2D's own answers, and what is made meanwhile is made
-// as always.
+// What is made on a thread that rounds otherwise than to nearest is made as always. (Its steps:
+// tests/as_stock/rounding.cpp.)
 #include <cfenv>
 
-#include "as_stock.h"
 #include "base/rounding_mode.h"
 #include "boomerang/convex_shape.h"
-
-using namespace as_stock;
+#include "cases.h"
 
 namespace {
 
 constexpr int kModes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
-/// Two planks, which have a structure, and boxes that fall on them.
-void Fill(Game *game) {
-    b2Body *ground = game->Body(b2_staticBody, {0.0f, 0.0f}, 0.1f);
-    game->Plank(ground);
-    b2Body *plank = game->Body(b2_dynamicBody, {0.1f, 0.5f}, 0.15f);
-    game->Plank(plank);
-    for (int i = 0; i < 4; ++i)
-        game->Box(game->Body(b2_dynamicBody, {Real(i) - 1.5f, 1.3f + 0.3f * Real(i)}, 0.3f), 0.2f, 0.15f);
-}
-
-void AlwaysIn(Run &run, int mode) {
-    std::fesetround(mode);
-    Heard game(run, {0.0f, -10.0f});
-    Fill(&game);
-    game.Step(60);
-    std::fesetround(FE_TONEAREST);
-    game.Stage(game.Touching() > 0, "a collision");
-}
-
 } // namespace
-
-AS_STOCK("steps that round otherwise are stock's") {
-    for (const int mode : kModes)
-        AlwaysIn(run, mode);
-}
-
-TEST_CASE("the mode decides what a step gives: what these tests compare can differ") {
-    const std::string nearest = InChild([](Run &run) { AlwaysIn(run, FE_TONEAREST); });
-    CHECK(Difference(nearest, nearest) == "");
-    CHECK(Difference(nearest, InChild([](Run &run) { AlwaysIn(run, FE_UPWARD); })) != "");
-}
 
 TEST_CASE("polygons of many vertices are the same in whatever mode they are made") {
     b2Vec2 points[20];
     for (int i = 0; i < 20; ++i)
-        points[i].Set(0.9f * std::cos(0.31f * Real(i)), 0.7f * std::sin(0.31f * Real(i)));
+        points[i].Set(0.9f * std::cos(0.31f * static_cast<float>(i)),
+                      0.7f * std::sin(0.31f * static_cast<float>(i)));
     const auto text = [&points](int mode, bmr_error (bmr::ConvexShape::*set)(const b2Vec2 *, int32)) {
         bmr::ConvexShape shape;
         std::fesetround(mode);
