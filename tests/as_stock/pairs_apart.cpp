@@ -341,30 +341,6 @@ TEST_CASE("more than 65,536 fixtures, each with a pair of its own") {
     CHECK(Difference(stock, InChild(couples, &options)) == "");
 }
 
-AS_STOCK("memory is given back when contacts end and when the world does") {
-    // (A first world: what lasts as long as the thread or the process is there from then on.)
-    std::make_unique<Needles>(run)->game.Step(2);
-    constexpr int kRounds = 100;
-    const auto live = [&run] {
-        for (int round = 0; round < kRounds; ++round)
-            std::make_unique<Needles>(run)->game.Step(3);
-    };
-    run.Expect(LeavesNothing(kRounds, live), "worlds leave nothing behind");
-    // In a world that goes on, contacts come and go without end.
-    Needles world(run);
-    const auto comeAndGo = [&world] {
-        for (int round = 0; round < kRounds; ++round) {
-            for (size_t i = 1; i < world.needles.size(); i += 2) {
-                b2Body *needle = world.needles[i];
-                const b2Vec2 away(0.0f, round % 2 == 0 ? 100.0f : -100.0f);
-                needle->SetTransform(needle->GetPosition() + away, kSlant);
-            }
-            world.game.Step(2);
-        }
-    };
-    run.Expect(LeavesNothing(kRounds, comeAndGo), "contacts that come and go take no more memory");
-}
-
 AS_STOCK("nothing is allocated for pairs that stay apart") {
     Needles world(run, 0.2f);
     world.game.Step(30);

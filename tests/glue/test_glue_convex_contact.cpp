@@ -66,38 +66,6 @@ AS_STOCK("a wheel rolls over the joints of a one-sided chain, and another passes
     game.Stage(wheel->GetPosition().x > -1.2f, "it rolled over several links");
 }
 
-namespace {
-
-/// A box of ten coins, plates and stones.
-void Mixed(Game &game, shapes::Engine &engine, int32 vertices) {
-    game.Fixture(game.Body(b2_staticBody, {0.0f, 0.0f}), Chain());
-    ConvexShape stone;
-    for (int i = 0; i < 10; ++i) {
-        b2Body *body = Falling(game, {shapes::UniformF(engine, -2.0, 2.0), 0.6f + 0.7f * Real(i)});
-        body->SetTransform(body->GetPosition(), shapes::UniformF(engine, -3.0, 3.0));
-        switch (i % 4) {
-        case 0:
-            game.Fixture(body, Coin(vertices));
-            break;
-        case 1:
-            REQUIRE(stone.SetEllipse(vertices, 0.6f, 0.3f) == BMR_OK);
-            game.Fixture(body, stone);
-            break;
-        case 2:
-            game.Box(body, 0.4f, 0.2f);
-            break;
-        default: { // two big ones on one body
-            REQUIRE(stone.SetRounded(0.5f, 0.15f, 0.1f, 4) == BMR_OK);
-            game.Fixture(body, stone);
-            game.Fixture(body, Coin(12, 0.3f));
-            break;
-        }
-        }
-    }
-}
-
-} // namespace
-
 AS_STOCK("bodies of many big shapes share a structure that holds their real polygons") {
     Heard game(run);
     b2Body *a = game.Body(b2_dynamicBody, {0.0f, 0.0f}, 0.785f),
@@ -121,21 +89,6 @@ AS_STOCK("bodies of many big shapes share a structure that holds their real poly
     b->SetLinearVelocity(b2Mul(b2Rot(0.785f), b2Vec2(0.1f, -1.0f)));
     game.Step(60);
     game.Stage(a->GetLinearVelocity().Length() > 0.1f, "a collision");
-}
-
-AS_STOCK_HOW(kInstalls, "contacts that were alive at Install go on and are given back") {
-    Heard game(run, {0.0f, -10.0f});
-    shapes::Engine engine(21);
-    Mixed(game, engine, 64);
-    game.Step(60);
-    game.Stage(game.Touching() > 5, "contacts");
-    run.Install();
-    game.Step(60);
-    game.Fixture(Falling(game, {0.0f, 9.0f}), Coin(64));
-    game.Step(60);
-    while (game.world.GetBodyCount() > 1)
-        game.world.DestroyBody(game.world.GetBodyList());
-    game.Step();
 }
 
 AS_STOCK("far from the origin nothing is proved apart that has points") {

@@ -341,62 +341,6 @@ TEST_CASE("outlines that fall on a box, an edge or a chain stay on it, and none 
     }
 }
 
-TEST_CASE("nothing that is shot at an outline goes through its seams") {
-    // A wall that winds its way up, a tenth of a metre thick: at each bend there is a notch, and a seam.
-    constexpr int bends = 20;
-    const int shots = static_cast<int>(std::min(test_scaled(150), size_t{1500}));
-    std::vector<b2Vec2> ring;
-    for (int i = 0; i <= bends; ++i)
-        ring.emplace_back(0.05f + 0.3f * static_cast<float>(i % 2), static_cast<float>(i));
-    for (int i = bends; i >= 0; --i)
-        ring.emplace_back(-0.05f + 0.3f * static_cast<float>(i % 2), static_cast<float>(i));
-    bmr::OutlineShape wall;
-    REQUIRE(wall.Set(ring.data(), static_cast<int32>(ring.size())) == BMR_OK);
-    REQUIRE(wall.GetPieceCount() >= bends / 2);
-    int arrived = 0;
-    for (const bool rightwards : {true, false}) {
-        for (int kind = 0; kind < 3; ++kind) {
-            b2World world(b2Vec2(0.0f, 0.0f));
-            const b2BodyDef still;
-            REQUIRE(wall.CreateFixtures(world.CreateBody(&still), 0.0f) == BMR_OK);
-            std::vector<const b2Body *> bullets;
-            for (int i = 0; i < shots; ++i) {
-                b2BodyDef def;
-                def.type = b2_dynamicBody;
-                def.bullet = true;
-                def.position.Set(rightwards ? -3.0f : 3.0f,
-                                 0.5f + 19.0f * static_cast<float>(i) / static_cast<float>(shots));
-                def.angle = 0.37f * static_cast<float>(i);
-                def.linearVelocity.Set((rightwards ? 1.0f : -1.0f) * (60.0f + static_cast<float>(i % 50)),
-                                       0.3f * static_cast<float>(i % 7 - 3));
-                b2Body *bullet = world.CreateBody(&def);
-                b2FixtureDef fixture;
-                fixture.density = 1.0f;
-                fixture.filter.groupIndex = -1;
-                b2CircleShape circle;
-                circle.m_radius = 0.05f;
-                b2PolygonShape box;
-                box.SetAsBox(0.05f, 0.03f);
-                bmr::ConvexShape coin;
-                REQUIRE(coin.SetRegular(40, 0.05f) == BMR_OK);
-                const b2Shape *const shapes[] = {&circle, &box, &coin};
-                fixture.shape = shapes[kind];
-                bullet->CreateFixture(&fixture);
-                bullets.push_back(bullet);
-            }
-            for (int i = 0; i < 20; ++i)
-                world.Step(1.0f / 60.0f, 8, 3);
-            for (const b2Body *bullet : bullets) {
-                const float x = bullet->GetPosition().x, y = bullet->GetPosition().y;
-                if (y > 0.0f && y < static_cast<float>(bends))
-                    CHECK((rightwards ? x < 0.35f : x > -0.05f));
-                arrived += std::abs(bullet->GetLinearVelocity().x) < 50.0f;
-            }
-        }
-    }
-    CHECK(arrived > shots); // they did meet it
-}
-
 TEST_CASE("a dart that meets a seam goes no deeper than into one box") {
     int darts = 0;
     for (const float half : {0.005f, 0.01f, 0.02f, 0.1f})
