@@ -31,10 +31,10 @@ void AddTerrain(Game &game) {
         game.Box({201.3f + 1.4f * Real(i), 1.7f}, {0.3f, 0.2f});
 }
 
-/// The first step is rounded otherwise; then every third one, or those from each second call of a listener's
-/// on.
+/// Every third step is rounded otherwise, the first one among them; or those from each second call of a
+/// listener's on.
 void PlayRounded(Run &run, int mode, bool listens) {
-    std::fesetround(mode);
+    std::fesetround(listens ? FE_TONEAREST : mode);
     Game game(run, {0.0f, -10.0f});
     FillWithBoxes(game.world);
     game.Wheel({-3.0f, 20.0f}, 24, 1.5f);

@@ -4,6 +4,7 @@
 #include <box2d/box2d.h>
 
 #include "boomerang/convex_shape.h"
+#include "box2d_shapes.h"
 #include "cases.h"
 
 namespace {
@@ -15,21 +16,11 @@ constexpr float kSkins = 2.0f * b2_polygonRadius;
 /// Box2D itself leaves one; a pile has a weight besides.
 constexpr float kMostOverlap = 2.5f * b2_linearSlop;
 
-std::vector<b2Vec2> Regular(int count, float radius, float phase) {
-    std::vector<b2Vec2> outline;
-    for (int i = 0; i < count; ++i) {
-        const double angle = double{phase} + 2.0 * M_PI * i / count;
-        outline.emplace_back(static_cast<float>(double{radius} * std::cos(angle)),
-                             static_cast<float>(double{radius} * std::sin(angle)));
-    }
-    return outline;
-}
-
 /// A disc-like shape of either kind, made once for many bodies.
 class Coin {
 public:
     Coin(Kind kind, int vertices, float radius, float phase = 0.0f) : m_kind(kind) {
-        const std::vector<b2Vec2> outline = Regular(vertices, radius, phase);
+        const std::vector<b2Vec2> outline = shapes::Circle(vertices, double{radius}, 0.0, 0.0, double{phase});
         m_circle.m_radius = radius;
         if (kind == Kind::One)
             REQUIRE(m_one.Set(outline.data(), vertices) == BMR_OK);
@@ -134,14 +125,13 @@ Rest DropPile(Kind kind, int vertices, int coins, bool forget = false) {
     for (const float side : {-1.0f, 1.0f})
         AddBox(world, 1.0f, 30.0f, {side * (halfWidth + 1.0f), 29.0f}, 0.0f, 0.3f);
     const Coin coin(kind, vertices, radius);
-    std::mt19937 engine(7);
-    std::uniform_real_distribution<float> shift(-0.04f, 0.04f), turn(-3.0f, 3.0f);
-    for (int i = 0; i < coins; ++i)
-        coin.AddTo(world,
-                   {spacing * (static_cast<float>(i % columns) - 0.5f * static_cast<float>(columns - 1)) +
-                        shift(engine),
-                    0.7f + spacing * static_cast<float>(i / columns)},
-                   turn(engine), 0.3f);
+    shapes::Engine engine(7);
+    for (int i = 0; i < coins; ++i) {
+        const float column = static_cast<float>(i % columns) - 0.5f * static_cast<float>(columns - 1),
+                    shift = shapes::UniformF(engine, -0.04, 0.04);
+        coin.AddTo(world, {spacing * column + shift, 0.7f + spacing * static_cast<float>(i / columns)},
+                   shapes::UniformF(engine, -3.0, 3.0), 0.3f);
+    }
     Rest rest;
     const double start = EnergyOf(world);
     for (int step = 0; step < kMostSteps && rest.step < 0; ++step) {

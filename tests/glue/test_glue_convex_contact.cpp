@@ -16,11 +16,8 @@ constexpr float kPi = 3.14159265358979f;
 
 /// With an edge at the bottom: one that an octagon of its vertices does not have.
 ConvexShape Coin(int32 count, float radius = kRadius) {
-    std::vector<b2Vec2> vertices;
-    for (int32 i = 0; i < count; ++i) {
-        const float angle = 2.0f * kPi * (Real(i) + 0.5f) / Real(count) - 0.5f * kPi;
-        vertices.push_back(radius * b2Vec2(std::cos(angle), std::sin(angle)));
-    }
+    const double turned = double{kPi} / count - 0.5 * double{kPi};
+    const std::vector<b2Vec2> vertices = shapes::Circle(count, double{radius}, 0.0, 0.0, turned);
     ConvexShape shape;
     REQUIRE(shape.Set(vertices.data(), count) == BMR_OK);
     return shape;

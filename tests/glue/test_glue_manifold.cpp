@@ -95,17 +95,6 @@ void Compare(const Scene &s, const Collide &collide, Tally *t) {
     t->wrongEdges += !EdgeIsRight(s, edge, leftEarly);
 }
 
-b2PolygonShape Regular(int count, float radius, float angle) {
-    b2Vec2 points[b2_maxPolygonVertices];
-    for (int i = 0; i < count; ++i) {
-        const float a = angle + 2.0f * b2_pi * static_cast<float>(i) / static_cast<float>(count);
-        points[i].Set(radius * std::cos(a), radius * std::sin(a));
-    }
-    b2PolygonShape shape;
-    shape.Set(points, count);
-    return shape;
-}
-
 /// What lies past the count is whatever was there.
 void SpoilTheRest(b2PolygonShape *shape) {
     for (int i = shape->m_count; i < b2_maxPolygonVertices; ++i)
@@ -114,18 +103,20 @@ void SpoilTheRest(b2PolygonShape *shape) {
 
 /// With as many vertices as wished, unless Set weld some together.
 b2PolygonShape Polygon(Engine &engine, int count) {
-    if (Below(engine, 3) == 0)
-        return Regular(count, UniformF(engine, 0.1, 2.0), UniformF(engine, 0.0, 6.3));
+    b2PolygonShape shape;
+    if (Below(engine, 3) == 0) {
+        const double radius = Uniform(engine, 0.1, 2.0);
+        shape.Set(Circle(count, radius, 0.0, 0.0, Uniform(engine, 0.0, 6.3)).data(), count);
+        return shape;
+    }
     if (count == 4 && Below(engine, 2) == 0) {
-        b2PolygonShape box;
-        box.SetAsBox(UniformF(engine, 0.02, 2.0), UniformF(engine, 0.02, 2.0));
-        return box;
+        shape.SetAsBox(UniformF(engine, 0.02, 2.0), UniformF(engine, 0.02, 2.0));
+        return shape;
     }
-    for (;;) {
-        b2PolygonShape shape = shapes::RandomPolygon(engine, 3.0);
-        if (shape.m_count == count)
-            return shape;
-    }
+    do
+        shape = shapes::RandomPolygon(engine, 3.0);
+    while (shape.m_count != count);
+    return shape;
 }
 
 void Radii(Engine &engine, Scene *s) {

@@ -146,7 +146,7 @@ struct Pose {
     b2Body *whole, *body;
 
     Pose(Other other, uint64_t seed, bool seams) {
-        Engine engine(seed);
+        Engine engine(1000 + seed);
         const bmr::OutlineShape outline = RandomOutline(engine);
         b2BodyDef def;
         whole = world.CreateBody(&def);

@@ -11,6 +11,7 @@
 #include "glue/pairs/fixture_motion.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/table_cost.h"
+#include "random.h"
 
 namespace {
 
@@ -169,13 +170,12 @@ bool IsNothingClaimed(uint32_t end) {
 } // namespace
 
 TEST_CASE("no point goes farther in a sweep than the row says") {
-    std::minstd_rand numbers;
-    const auto between = [&numbers](float low, float high) {
-        return low + (high - low) * static_cast<float>(numbers() % 4096) / 4096.0f;
-    };
     int claimed = 0;
     for (int round = 0; round < 3000; ++round) {
-        numbers.seed(static_cast<unsigned>(7 + 1000 * round)); // each round can be played alone
+        test_random random = {static_cast<uint64_t>(round)}; // each round can be played alone
+        const auto between = [&random](double low, double high) {
+            return static_cast<float>(test_random_uniform(&random, low, high));
+        };
         Swept one;
         one.body->SetTransform({between(-9.0f, 9.0f), between(-9.0f, 9.0f)}, between(-7.0f, 7.0f));
         if (round % 2 == 0)

@@ -179,7 +179,7 @@ struct Tally {
 };
 
 Tally Try(size_t count, const Setting &setting, float share) {
-    Engine engine(11);
+    Engine engine(17);
     Tally tally;
     for (size_t i = 0; i < count; ++i) {
         Pair pair = RandomPair(engine, setting);

@@ -5,23 +5,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include <box2d/b2_collision.h>
 #include <box2d/b2_draw.h>
 #include <box2d/b2_polygon_shape.h>
 
+#include "random.h"
+
 /// @file
 /// Random fixtures for tests against Box2D itself, and their true distance in double precision.
 
 namespace shapes {
 
-using Engine = std::mt19937_64;
+/// kit/random.h's, as a class.
+struct Engine {
+    explicit Engine(uint64_t seed) : random{seed} {}
+    test_random random;
+};
 
-/// The same on every standard library (std::uniform_real_distribution is not).
 inline double Uniform(Engine &engine, double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine() >> 11) * 0x1p-53);
+    return test_random_uniform(&engine.random, low, high);
 }
 
 inline float UniformF(Engine &engine, double low, double high) {
@@ -29,14 +33,15 @@ inline float UniformF(Engine &engine, double low, double high) {
 }
 
 inline int Below(Engine &engine, int count) {
-    return static_cast<int>(engine() % static_cast<uint64_t>(count));
+    return static_cast<int>(test_random_below(&engine.random, static_cast<uint32_t>(count)));
 }
 
-/// Points on a circle, in order.
-inline std::vector<b2Vec2> Circle(int count, double radius, double x = 0.0, double y = 0.0) {
+/// Points on a circle, in order; the first one is turned by so much.
+inline std::vector<b2Vec2> Circle(int count, double radius, double x = 0.0, double y = 0.0,
+                                  double turned = 0.0) {
     std::vector<b2Vec2> points;
     for (int i = 0; i < count; ++i) {
-        const double angle = 2.0 * 3.14159265358979323846 * i / count;
+        const double angle = turned + 2.0 * 3.14159265358979323846 * i / count;
         points.emplace_back(static_cast<float>(x + radius * std::cos(angle)),
                             static_cast<float>(y + radius * std::sin(angle)));
     }

@@ -28,14 +28,8 @@ struct SmallDrawer : IdleDraw {
     }
 };
 
-std::vector<b2Vec2> Circle(int count, float radius) {
-    std::vector<b2Vec2> points;
-    for (int i = 0; i < count; ++i) {
-        const double angle = (i + 0.5) * 6.283185307179586 / count;
-        points.emplace_back(static_cast<float>(double{radius} * std::cos(angle)),
-                            static_cast<float>(double{radius} * std::sin(angle)));
-    }
-    return points;
+std::vector<b2Vec2> Coin(int count, double radius) {
+    return shapes::Circle(count, radius, 0.0, 0.0, 3.14159265358979 / count);
 }
 
 ConvexShape Make(const std::vector<b2Vec2> &points) {
@@ -55,7 +49,7 @@ ConvexShape RandomBig(Engine &engine) {
     constexpr int kCounts[] = {9, 16, 64, 255, 256, 257, 1000, 4096};
     const int count = kCounts[Below(engine, 8)];
     const float width = UniformF(engine, 0.2, 2.0);
-    std::vector<b2Vec2> points = Circle(count, UniformF(engine, 0.3, 3.0));
+    std::vector<b2Vec2> points = Coin(count, Uniform(engine, 0.3, 3.0));
     for (b2Vec2 &p : points)
         p = b2Vec2(width * p.x + 0.5f, p.y - 0.25f);
     return Make(points);
@@ -86,7 +80,7 @@ TEST_CASE("a proxy has the vertices that are to be seen") {
         }
     }
     // Of up to 8 vertices it is any polygon.
-    const ConvexShape small = Make(Circle(7, 1.0f));
+    const ConvexShape small = Make(Coin(7, 1.0));
     b2DistanceProxy proxy;
     proxy.Set(&small, 0);
     CHECK(proxy.m_vertices == small.m_vertices);
@@ -154,7 +148,7 @@ TEST_CASE("a cache that was never ours, with any numbers in it") {
 
 TEST_CASE("b2ShapeCast and b2TimeOfImpact, outside of any step") {
     // A coin flies at another: they meet when their rims do, at any angle.
-    const ConvexShape coin = Make(Circle(512, 1.0f));
+    const ConvexShape coin = Make(Coin(512, 1.0));
     int later = 0;
     for (int i = 0; i < 64; ++i) {
         const float angle = 0.1f * static_cast<float>(i), turn = 0.37f * static_cast<float>(i);
@@ -241,7 +235,7 @@ bool SensorFeels(const b2Shape &shape, float distance, float angle, bool testOve
 namespace {
 
 void CheckSensors() {
-    const ConvexShape coin = Make(Circle(512, 1.0f));
+    const ConvexShape coin = Make(Coin(512, 1.0));
     for (const bool testOverlap : {false, true}) {
         int felt = 0, inside = 0, outside = 0;
         for (int i = 0; i < 40; ++i) {
@@ -273,7 +267,7 @@ TEST_CASE("DebugDraw hands over no more than 8 vertices at a time, and nothing i
     SmallDrawer drawer, other;
     drawer.SetFlags(b2Draw::e_shapeBit);
     world.SetDebugDraw(&drawer);
-    const ConvexShape shape = Make(Circle(50, 1.0f));
+    const ConvexShape shape = Make(Coin(50, 1.0));
     b2BodyDef def;
     world.CreateBody(&def)->CreateFixture(&shape, 1.0f);
     constexpr int kPieces = 8; // 48 triangles, six to a piece

@@ -13,6 +13,7 @@
 
 #include <boomerang/box2d.h>
 
+#include "../../kit/random.h"
 #include "../../kit/small_world.h"
 
 extern "C" {
@@ -84,13 +85,14 @@ void Make(uint32_t seed) {
         const b2Rot turned(0.5f * b2_pi * static_cast<float>(side));
         AddBox(*world, b2_staticBody, 14.0f * turned.GetXAxis(), {0.5f, 16.0f}, turned.GetAngle());
     }
+    test_random random = {seed};
+    const auto angle = [&random] { return static_cast<float>(test_random_uniform(&random, -b2_pi, b2_pi)); };
     for (int i = 0; i < 100; ++i) {
-        seed = seed * 1664525u + 1013904223u;
         b2Body *const body =
             AddBox(*world, b2_dynamicBody,
                    {2.4f * static_cast<float>(i % 10) - 11.0f, 2.4f * static_cast<float>(i / 10) - 11.0f},
-                   {0.9f, 0.3f}, static_cast<float>(seed >> 20));
-        const b2Rot direction(static_cast<float>(seed >> 16));
+                   {0.9f, 0.3f}, angle());
+        const b2Rot direction(angle());
         body->SetLinearVelocity(4.0f * direction.GetXAxis());
         body->SetAngularVelocity(direction.s);
         body->GetFixtureList()->SetRestitution(1.0f);
