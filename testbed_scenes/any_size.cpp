@@ -1,8 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "any_size.h"
 
+#include <algorithm>
+
 namespace testbed {
 namespace {
+
+/// A convex outline in pieces of at most 8 vertices, all of which share its first vertex.
+std::vector<Outline> CutConvex(const Outline &outline) {
+    constexpr int added = b2_maxPolygonVertices - 1; // a piece is the first vertex and a run of these
+    std::vector<Outline> pieces;
+    const int count = static_cast<int>(outline.size());
+    for (int first = 1; first < count - 1; first += added - 1) {
+        const int last = std::min(first + added - 1, count - 1);
+        Outline piece{outline.front()};
+        piece.insert(piece.end(), outline.begin() + first, outline.begin() + last + 1);
+        pieces.push_back(std::move(piece));
+    }
+    return pieces;
+}
 
 std::vector<std::unique_ptr<b2Shape>> MakePieces(BodyKind kind, const Outline &outline) {
     std::vector<std::unique_ptr<b2Shape>> pieces;

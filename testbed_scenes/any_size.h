@@ -47,7 +47,7 @@ struct Concave {
     std::vector<Outline> triangles;
 };
 
-/// An outline that is star-shaped about the origin.
+/// An outline that is star-shaped about the origin: its triangles are its edges, each with the origin.
 Concave StarShaped(const Outline &outline);
 
 /// An outline.

@@ -61,13 +61,12 @@ inline SceneInfo WithPolygons(SceneInfo info, const PolygonChoice &polygons) {
     return info;
 }
 
-/// All scenes: the classic ones, then the hard ones, then those of games, then those of any size, then
-/// outlines.
+/// All scenes, group by group.
 const std::vector<SceneInfo> &AllScenes();
 /// Null if there is none of this name.
 const SceneInfo *FindScene(std::string_view name);
 
-/// Each file of scenes/ adds its own; called by AllScenes in this order.
+/// Each file of scenes/ adds its own; called by AllScenes in this order, which is that within a group.
 void AddClassicStacks(std::vector<SceneInfo> &scenes);
 void AddClassicMotion(std::vector<SceneInfo> &scenes);
 void AddClassicJoints(std::vector<SceneInfo> &scenes);

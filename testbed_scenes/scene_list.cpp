@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace testbed {
 const std::vector<SceneInfo> &AllScenes() {
     static const std::vector<SceneInfo> scenes = [] {
@@ -9,6 +12,12 @@ const std::vector<SceneInfo> &AllScenes() {
                                AddLongThings, AddCoins, AddAsteroids, AddGears, AddCrowds, AddGames,
                                AddAnySizeBodies, AddAnySizeWorlds, AddOutlines})
             add(all);
+        const auto rank = [](const SceneInfo &scene) {
+            constexpr std::string_view groups[] = {"classic", "hard", "games", "any-size", "outlines"};
+            return std::find(std::begin(groups), std::end(groups), scene.group) - groups;
+        };
+        std::stable_sort(all.begin(), all.end(),
+                         [&](const SceneInfo &a, const SceneInfo &b) { return rank(a) < rank(b); });
         return all;
     }();
     return scenes;

@@ -69,36 +69,6 @@ Outline StarOutline(int count, float inner, float outer) {
     return outline;
 }
 
-std::vector<Outline> CutConvex(const Outline &outline) {
-    constexpr int added = b2_maxPolygonVertices - 1; // a piece is the first vertex and a run of these
-    std::vector<Outline> pieces;
-    const int count = static_cast<int>(outline.size());
-    for (int first = 1; first < count - 1; first += added - 1) {
-        const int last = std::min(first + added - 1, count - 1);
-        Outline piece{outline.front()};
-        piece.insert(piece.end(), outline.begin() + first, outline.begin() + last + 1);
-        pieces.push_back(std::move(piece));
-    }
-    return pieces;
-}
-
-void AddConvex(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def) {
-    for (const Outline &piece : CutConvex(outline)) {
-        b2PolygonShape shape;
-        shape.Set(piece.data(), static_cast<int32>(piece.size()));
-        stage.AddFixture(body, def, shape);
-    }
-}
-
-void AddFan(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def) {
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const b2Vec2 corners[] = {b2Vec2(0.0f, 0.0f), outline[i], outline[(i + 1) % outline.size()]};
-        b2PolygonShape shape;
-        shape.Set(corners, 3);
-        stage.AddFixture(body, def, shape);
-    }
-}
-
 b2Body *AddArena(Stage &stage, b2Vec2 center, float halfWidth, float halfHeight, float restitution) {
     constexpr float thickness = 1.0f; // half of it: thick enough that nothing is pushed through
     b2Body *arena = stage.AddBody(b2_staticBody, center);
@@ -165,25 +135,6 @@ b2WheelJoint *AddCar(Stage &stage, b2Vec2 road) {
     b2WheelJoint *motor = AddWheel(stage, car, road + b2Vec2(-1.0f, 0.4f), 40.0f);
     AddWheel(stage, car, road + b2Vec2(1.0f, 0.4f), 0.0f);
     return motor;
-}
-
-void AddAxle(Stage &stage, b2Body *frame, b2Body *gear, bool driven, float torque) {
-    b2RevoluteJointDef axle;
-    axle.Initialize(frame, gear, gear->GetPosition());
-    axle.enableMotor = driven;
-    axle.motorSpeed = 1.0f;
-    axle.maxMotorTorque = torque;
-    stage.AddJoint(axle);
-}
-
-void DropOctagon(Stage &stage, int step, float top) {
-    constexpr int kOctagons = 150;
-    if (step >= kOctagons)
-        return;
-    const float above = stage.Rng().Uniform(-2.0f, 2.0f);
-    const float across = stage.Rng().Uniform(-10.0f, 10.0f);
-    b2Body *body = stage.AddBody(b2_dynamicBody, {across, top - 6.0f + above});
-    stage.AddFixture(body, Material(1.0f, 0.5f), MakeRegular(8, stage.Rng().Uniform(0.2f, 0.35f)));
 }
 
 Grid::Grid(int size, int columns, float spacing)

@@ -7,8 +7,8 @@
 #include "stage.h"
 
 /// @file
-/// The shapes that scenes are made of. Box2D's polygons have at most 8 vertices; larger and concave outlines
-/// become bodies of many fixtures here.
+/// The shapes that scenes are made of. Box2D's polygons have at most 8 vertices: any_size.h has what is
+/// larger, or concave.
 
 namespace testbed {
 
@@ -27,13 +27,6 @@ Outline RegularOutline(int count, float radius, float phase = 0.0f);
 Outline RoughOutline(Random &random, int count, float inner, float outer);
 /// `count` vertices, alternately at `outer` and at `inner`; an odd one out lies halfway.
 Outline StarOutline(int count, float inner, float outer);
-
-/// A convex outline in pieces of at most 8 vertices, all of which share its first vertex.
-std::vector<Outline> CutConvex(const Outline &outline);
-/// A fixture for each of these pieces.
-void AddConvex(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def);
-/// Makes each edge of an outline that is star-shaped about the origin a triangle with the origin.
-void AddFan(Stage &stage, b2Body *body, const Outline &outline, const b2FixtureDef &def);
 
 /// A closed arena about `center`: one static body of four wide walls, whose inner sides are halfWidth and
 /// halfHeight away. The walls touch at their corners.
@@ -54,11 +47,6 @@ void AddChain(Stage &stage, const Outline &hills);
 /// A car on two sprung wheels, above a place of the road. The joint is that of the rear wheel, which has a
 /// motor.
 b2WheelJoint *AddCar(Stage &stage, b2Vec2 road);
-
-/// A gear on an axle in its frame; a motor turns it, where it is driven.
-void AddAxle(Stage &stage, b2Body *frame, b2Body *gear, bool driven, float torque);
-/// What falls on gears: an octagon before each of the first steps, for there is no room for all at once.
-void DropOctagon(Stage &stage, int step, float top);
 
 /// Places for `size` bodies in rows of `columns`, `spacing` apart, about the origin: what fills an arena of
 /// halfWidth and halfHeight evenly.

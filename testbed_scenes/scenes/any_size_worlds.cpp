@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Polygons of any size among other things: bullets at thin targets, gears with rounded teeth, and a bag of
-// everything on a chain.
+// Polygons of any size among other things: bullets at thin targets, and a bag of everything on a chain.
 #include <cmath>
 
 #include "any_size.h"
@@ -80,67 +79,6 @@ class BulletsAtThin final : public Scene {
 
     static constexpr float halfWidth = 25.0f, halfHeight = 15.0f;
     std::vector<b2Body *> m_bullets;
-};
-
-/// Gears as in the scene of that name, but with teeth that are half ellipses.
-class RoundedGears final : public Scene {
-    void Build(Stage &stage, int size) override {
-        constexpr int columns = 3;
-        const PolygonChoice &choice = stage.Polygons();
-        b2Body *frame = stage.AddBody(b2_staticBody, {0.0f, 0.0f});
-        const int rows = (size + columns - 1) / columns;
-        const float top = 2.0f * pitchRadius * static_cast<float>(rows) + 9.0f;
-        const float halfWidth = pitchRadius * columns + 1.0f; // a pebble passes at the sides
-        stage.AddFixture(frame, MakeBox(halfWidth, 0.5f, {0.0f, -2.0f}), 0.0f);
-        for (const float side : {-1.0f, 1.0f})
-            stage.AddFixture(frame,
-                             MakeBox(0.5f, 0.5f * top + 1.0f, {side * (halfWidth + 0.5f), 0.5f * top - 1.5f}),
-                             0.0f);
-        for (int i = 0; i < size; ++i) {
-            const int row = i / columns, column = i % columns;
-            const b2Vec2 center(pitchRadius * static_cast<float>(2 * column - columns + 1),
-                                pitchRadius * static_cast<float>(2 * row + 1));
-            // Every other one is turned by half a tooth: so they mesh.
-            AddGear(stage, frame, center, (row + column) % 2 == 0 ? 0.0f : b2_pi / teeth, i == 0);
-        }
-        const AnySizePolygon pebble(choice, 0.3f);
-        for (int i = 0; i < pebbles; ++i) {
-            const float x =
-                halfWidth * (static_cast<float>(i % 10) / 5.0f - 0.9f) + stage.Rng().Uniform(-0.1f, 0.1f);
-            b2Body *body = stage.AddBody(b2_dynamicBody, {x, top - 4.0f + static_cast<float>(i / 10)});
-            pebble.AddTo(stage, body, Material(1.0f, 0.5f));
-        }
-    }
-
-    /// Counter-clockwise from the foot's right corner, over the tip, to its left one.
-    static Outline ToothOutline(int count, float phase) {
-        const b2Rot turn(phase);
-        Outline outline;
-        for (int i = 0; i < count; ++i) {
-            const float t = b2_pi * (static_cast<float>(i) / static_cast<float>(count - 1) - 0.5f);
-            outline.push_back(b2Mul(
-                turn, b2Vec2(footRadius + (tipRadius - footRadius) * std::cos(t), footHalf * std::sin(t))));
-        }
-        return outline;
-    }
-
-    static void AddGear(Stage &stage, b2Body *frame, b2Vec2 center, float phase, bool driven) {
-        const b2FixtureDef steel = Material(5.0f, 0.1f);
-        const PolygonChoice &choice = stage.Polygons();
-        b2Body *gear = stage.AddBody(b2_dynamicBody, center);
-        AnySizePolygon(choice, rootRadius, phase).AddTo(stage, gear, steel);
-        for (int i = 0; i < teeth; ++i) {
-            const float at = phase + 2.0f * b2_pi * static_cast<float>(i) / teeth;
-            AnySizePolygon(choice.bodies, ToothOutline(choice.vertices, at)).AddTo(stage, gear, steel);
-        }
-        AddAxle(stage, frame, gear, driven, 1e3f); // stalls where a pebble is caught
-    }
-
-    static constexpr int teeth = 24, pebbles = 60;
-    static constexpr float pitchRadius = 2.0f, rootRadius = 1.78f, tipRadius = 2.17f;
-    // The foot lies below the hub's rim, so that nothing can get between. At the pitch circle a tooth is 0.2
-    // wide of the 0.26 it may have: Box2D keeps polygons 0.02 apart and the joints give a little.
-    static constexpr float footRadius = rootRadius - 0.05f, footHalf = 0.125f;
 };
 
 /// Polygons of 3 vertices to all that were asked for, ellipses, capsules, circles and boxes.
@@ -222,8 +160,6 @@ void AddAnySizeWorlds(std::vector<SceneInfo> &scenes) {
     };
     add(256, {"any-bullets", "round bullets hit thin planks, bare edges and chains", "any-size", 120, 300,
               CreateScene<BulletsAtThin>});
-    add(32, {"any-gears", "pebbles fall on gears in mesh whose teeth are rounded", "any-size", 6, 300,
-             CreateScene<RoundedGears>});
     add(512, {"any-bag", "polygons of all sizes, ellipses, capsules, circles and boxes fall on a chain",
               "any-size", 150, 420, CreateScene<Bag>});
 }

@@ -2,8 +2,10 @@
 //
 // Bodies that drift and collide. Concave ones have 10 to 63 triangles: most of what the broad phase reports
 // belongs to one body.
+#include <algorithm>
+
+#include "any_size.h"
 #include "scene.h"
-#include "shapes.h"
 
 namespace testbed {
 namespace {
@@ -28,14 +30,16 @@ class Drifters final : public Scene {
 
 class Asteroids final : public Scene {
     void Build(Stage &stage, int size) override {
+        constexpr int fewest = 10;
         stage.World().SetGravity({0.0f, 0.0f});
+        const PolygonChoice &choice = stage.Polygons();
         const Grid grid(size, 15, 4.9f);
         AddArena(stage, {0.0f, 0.0f}, grid.halfWidth, grid.halfHeight, 1.0f);
         for (int i = 0; i < size; ++i) {
             const b2BodyDef def = Drifting(stage.Rng(), grid.Place(i), 0.5f, 3.0f, 1.0f);
-            const int triangles = 10 + stage.Rng().Index(54);
-            const Outline outline = RoughOutline(stage.Rng(), triangles, 1.0f, 1.8f);
-            AddFan(stage, stage.AddBody(def), outline, Material(1.0f, 0.1f, 1.0f));
+            const int points = fewest + stage.Rng().Index(std::max(choice.vertices - fewest, 0) + 1);
+            const Concave rock = StarShaped(RoughOutline(stage.Rng(), points, 1.0f, 1.8f));
+            OutlinedBody(choice.bodies, rock).AddTo(stage, stage.AddBody(def), Material(1.0f, 0.1f, 1.0f));
         }
     }
 };
@@ -54,7 +58,8 @@ class StarPile final : public Scene {
                              1.1f + spacing * static_cast<float>(i / columns));
             def.angle = stage.Rng().Uniform(-b2_pi, b2_pi);
             const int triangles = 10 + stage.Rng().Index(22);
-            AddFan(stage, stage.AddBody(def), StarOutline(triangles, 0.55f, 1.0f), Material(1.0f, 0.4f));
+            OutlinedBody(BodyKind::Many, StarShaped(StarOutline(triangles, 0.55f, 1.0f)))
+                .AddTo(stage, stage.AddBody(def), Material(1.0f, 0.4f));
         }
     }
 };
@@ -64,8 +69,13 @@ class StarPile final : public Scene {
 void AddAsteroids(std::vector<SceneInfo> &scenes) {
     scenes.push_back({"drifters", "stretched polygons of 3 to 8 corners drift in a closed box", "hard", 8,
                       300, CreateScene<Drifters>});
-    scenes.push_back({"asteroids", "concave bodies of 10 to 63 triangles bounce about in a closed box",
-                      "hard", 150, 300, CreateScene<Asteroids>});
+    scenes.push_back(
+        WithPolygons({"asteroids", "concave bodies of 10 to 63 triangles bounce about in a closed box",
+                      "hard", 150, 300, CreateScene<Asteroids>},
+                     {BodyKind::Many, 63}));
+    scenes.push_back(WithPolygons({"asteroids-outline", "the asteroids, each cut into few convex pieces",
+                                   "outlines", 150, 300, CreateScene<Asteroids>},
+                                  {BodyKind::One, 63}));
     scenes.push_back({"star-pile", "concave stars of 10 to 31 triangles fall into a pile", "hard", 120, 300,
                       CreateScene<StarPile>});
 }

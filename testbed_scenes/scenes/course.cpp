@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "scene.h"
-
 #include <fstream>
 #include <stdexcept>
 
-#include "shapes.h"
+#include "any_size.h"
+#include "scene.h"
 
 namespace testbed {
 namespace {
@@ -65,7 +64,8 @@ class Course final : public Scene {
             def.position = loaded.poses[i][0].position;
             def.angle = loaded.poses[i][0].angle;
             m_bodies[i] = stage.AddBody(def);
-            AddConvex(stage, m_bodies[i], loaded.outlines[i], Material(1.0f, 0.0f));
+            AnySizePolygon(BodyKind::Many, loaded.outlines[i])
+                .AddTo(stage, m_bodies[i], Material(1.0f, 0.0f));
         }
     }
 

@@ -4,8 +4,8 @@
 // nothing at all.
 #include <cmath>
 
+#include "any_size.h"
 #include "scene.h"
-#include "shapes.h"
 
 namespace testbed {
 namespace {
@@ -50,7 +50,8 @@ class Bullets final : public Scene {
             const int triangles = 10 + stage.Rng().Index(22);
             const Outline outline = i % 2 == 0 ? StarOutline(triangles, 0.7f, 1.7f)
                                                : RoughOutline(stage.Rng(), triangles, 0.8f, 1.7f);
-            AddFan(stage, stage.AddBody(def), outline, Material(0.0f, 0.3f, 0.3f));
+            OutlinedBody(BodyKind::Many, StarShaped(outline))
+                .AddTo(stage, stage.AddBody(def), Material(0.0f, 0.3f, 0.3f));
         }
     }
 
@@ -99,7 +100,8 @@ class Sensors final : public Scene {
         for (int i = 0; i < size; ++i) {
             const b2BodyDef def = Drifting(stage.Rng(), grid.Place(i), 0.5f, 3.0f, 1.5f);
             b2Body *body = stage.AddBody(def);
-            AddConvex(stage, body, RegularOutline(32, 0.5f), Material(1.0f, 0.1f, 1.0f));
+            AnySizePolygon(BodyKind::Many, RegularOutline(32, 0.5f))
+                .AddTo(stage, body, Material(1.0f, 0.1f, 1.0f));
             stage.AddFixture(body, eye, MakeFan(reach, halfAngle));
         }
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Concave bodies and level terrain as outlines: asteroids and gears as in the scenes of those names, scanned
-// silhouettes, and a rock full of caves.
+// Concave bodies and level terrain as outlines: scanned silhouettes, and a rock full of caves.
 #include <algorithm>
 #include <cmath>
 
@@ -10,78 +9,6 @@
 
 namespace testbed {
 namespace {
-
-class AsteroidsOutline final : public Scene {
-    // Draws what the scene `asteroids` draws: of at most 63 points the bodies are the same.
-    void Build(Stage &stage, int size) override {
-        stage.World().SetGravity({0.0f, 0.0f});
-        const PolygonChoice &choice = stage.Polygons();
-        const Grid grid(size, 15, 4.9f);
-        AddArena(stage, {0.0f, 0.0f}, grid.halfWidth, grid.halfHeight, 1.0f);
-        for (int i = 0; i < size; ++i) {
-            const b2BodyDef def = Drifting(stage.Rng(), grid.Place(i), 0.5f, 3.0f, 1.0f);
-            const int points = fewest + stage.Rng().Index(std::max(choice.vertices - fewest, 0) + 1);
-            const Concave rock = StarShaped(RoughOutline(stage.Rng(), points, 1.0f, 1.8f));
-            OutlinedBody(choice.bodies, rock).AddTo(stage, stage.AddBody(def), Material(1.0f, 0.1f, 1.0f));
-        }
-    }
-
-    static constexpr int fewest = 10;
-};
-
-/// The scene `gears` with each gear in one outline.
-class GearsOutline final : public Scene {
-    void Build(Stage &stage, int size) override {
-        constexpr int columns = 6;
-        b2Body *frame = stage.AddBody(b2_staticBody, {0.0f, 0.0f});
-        const int rows = (size + columns - 1) / columns;
-        const float halfWidth = pitchRadius * columns + 0.5f;
-        m_top = 2.0f * pitchRadius * static_cast<float>(rows) + 20.0f;
-        for (const float side : {-1.0f, 1.0f})
-            stage.AddFixture(frame, MakeBox(0.5f, 0.5f * m_top, {side * (halfWidth + 0.5f), 0.5f * m_top}),
-                             0.0f);
-        const PolygonChoice &choice = stage.Polygons();
-        const int pointsOfTooth = std::max(choice.vertices / teeth, 4);
-        // Every other one is turned by half a tooth: so they mesh.
-        const OutlinedBody gears[] = {
-            OutlinedBody(choice.bodies, StarShaped(GearOutline(pointsOfTooth, 0.0f))),
-            OutlinedBody(choice.bodies, StarShaped(GearOutline(pointsOfTooth, b2_pi / teeth)))};
-        for (int i = 0; i < size; ++i) {
-            const int row = i / columns, column = i % columns;
-            const b2Vec2 center(pitchRadius * static_cast<float>(2 * column - columns + 1),
-                                pitchRadius * static_cast<float>(2 * row + 1));
-            b2Body *gear = stage.AddBody(b2_dynamicBody, center);
-            gears[(row + column) % 2].AddTo(stage, gear, Material(5.0f, 0.1f));
-            AddAxle(stage, frame, gear, i == 0, 1e5f);
-        }
-    }
-
-    void BeforeStep(Stage &stage, int step) override { DropOctagon(stage, step, m_top); }
-
-    /// Tooth by tooth: its right foot, its tip, which is round where there are points for that, its left
-    /// foot.
-    static Outline GearOutline(int pointsOfTooth, float phase) {
-        Outline outline;
-        for (int tooth = 0; tooth < teeth; ++tooth) {
-            const b2Rot turn(phase + 2.0f * b2_pi * static_cast<float>(tooth) / teeth);
-            outline.push_back(b2Mul(turn, b2Vec2(rootRadius, -rootHalf)));
-            const int tips = pointsOfTooth - 2;
-            for (int i = 0; i < tips; ++i) {
-                const float along = static_cast<float>(i) / static_cast<float>(tips - 1);
-                const float bulge = 0.5f * tipHalf * std::sin(b2_pi * along);
-                outline.push_back(b2Mul(turn, b2Vec2(tipRadius + bulge, tipHalf * (2.0f * along - 1.0f))));
-            }
-            outline.push_back(b2Mul(turn, b2Vec2(rootRadius, rootHalf)));
-        }
-        return outline;
-    }
-
-    static constexpr int teeth = 24;
-    static constexpr float pitchRadius = 2.0f, rootRadius = 1.75f, tipRadius = 2.17f;
-    // Half widths of a tooth, as in the scene `gears`.
-    static constexpr float rootHalf = 0.135f, tipHalf = 0.06f;
-    float m_top = 0.0f;
-};
 
 /// What a camera sees of a thing: lobes, and the noise of its pixels.
 class Silhouettes final : public Scene {
@@ -201,10 +128,6 @@ void AddOutlines(std::vector<SceneInfo> &scenes) {
     const auto add = [&](int points, const SceneInfo &info) {
         scenes.push_back(WithPolygons(info, {BodyKind::One, points}));
     };
-    add(63, {"asteroids-outline", "the asteroids, each cut into few convex pieces", "outlines", 150, 300,
-             CreateScene<AsteroidsOutline>});
-    add(96, {"gears-outline", "octagons fall on gears in mesh, each of them one outline", "outlines", 18, 300,
-             CreateScene<GearsOutline>});
     add(500, {"silhouettes", "scanned silhouettes, within a hundredth of their size, pile up", "outlines", 48,
               300, CreateScene<Silhouettes>});
     add(48, {"caves", "stars, coins, boxes and octagons fall in the caves of one rock", "outlines", 120, 300,

@@ -51,8 +51,9 @@ void World::Build() {
     m_scene = info->create();
     m_timeStep = info->timeStep;
     m_stage = std::make_unique<testbed::Stage>(*m_scene, info->seed, &m_recorder);
-    if (chosen->vertices != 0)
-        m_stage->SetPolygons({testbed::BodyKind::One, chosen->vertices});
+    m_stage->SetPolygons(chosen->vertices != 0
+                             ? testbed::PolygonChoice{testbed::BodyKind::One, chosen->vertices}
+                             : info->polygons);
     m_recorder.StartStep(false);
     m_scene->Build(*m_stage, chosen->size);
 }
