@@ -147,10 +147,36 @@ static void change(script *s) {
     }
 }
 
+/// B's pose where its image is that is nearest to A.
+static bmr_pose nearest_image(const script *s, const bmr_pose *a, bmr_pose b) {
+    const double width = 2.0 * s->size;
+    if (s->boundary == BMR_PERIODIC) {
+        b.position.x -= width * floor((b.position.x - a->position.x) / width + 0.5);
+        b.position.y -= width * floor((b.position.y - a->position.y) / width + 0.5);
+    }
+    return b;
+}
+
+/// A contact is told where the two are within the margin, up to some 16ths of it, and no sooner.
+static void check_distance(const script *s, const bmr_contact *c) {
+    const double margin = bmr_default_world_def().kds.margin;
+    bmr_body_state a, b;
+    bmr_closest_points closest;
+    if (s->wild || bmr_is_wall(c->b) || bmr_world_get(s->world, c->a, &a) != BMR_OK ||
+        bmr_world_get(s->world, c->b, &b) != BMR_OK)
+        return;
+    const bmr_pose pose = nearest_image(s, &a.pose, b.pose);
+    if (bmr_distance(a.shape->polygon, &a.pose, b.shape->polygon, &pose, &closest) != BMR_OK)
+        return;
+    const double distance = closest.distance + (fuzz_control("early-contact") ? margin : 0.0);
+    FUZZ_CHECK(distance <= 1.5 * margin, "a contact at %.17g, %g apart", c->time, distance);
+}
+
 static bmr_response tell(void *context, bmr_world *world, const bmr_contact *c) {
     script *s = context;
     FUZZ_CHECK(c->time >= s->last, "back in time");
     FUZZ_CHECK(bmr_world_advance(world, END) == BMR_ERROR_OUT_OF_RANGE, "advanced from inside");
+    check_distance(s, c);
     s->last = c->time;
     if (s->contacts < MOST_CONTACTS) {
         const note kept = {c->a, c->b, c->time, c->points[0].x, c->points[0].y, c->approach[0]};
@@ -203,11 +229,7 @@ static void check_overlaps(const script *s) {
         bmr_world_get(s->world, a, &p);
         for (bmr_body b; (b = bmr_world_next_body(s->world, &second)) != BMR_NO_BODY;) {
             bmr_world_get(s->world, b, &q);
-            const double width = 2.0 * s->size;
-            if (s->boundary == BMR_PERIODIC) {
-                q.pose.position.x -= width * floor((q.pose.position.x - p.pose.position.x) / width + 0.5);
-                q.pose.position.y -= width * floor((q.pose.position.y - p.pose.position.y) / width + 0.5);
-            }
+            q.pose = nearest_image(s, &p.pose, q.pose);
             bmr_overlap overlap;
             if (bmr_penetration(p.shape->polygon, &p.pose, q.shape->polygon, &q.pose, &overlap) != BMR_OK ||
                 overlap.depth < 1e-9)
