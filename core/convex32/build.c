@@ -81,10 +81,6 @@ static bmr_error measure(const bmr_convex32 *polygon, bmr_mass32 *mass, float *r
     return BMR_OK;
 }
 
-static bmr_vec2 widen(bmr_vec32 v) {
-    return bmr_vec2_make((double)v.x, (double)v.y);
-}
-
 /// Two to four buckets a vertex; a table past 8 vertices alone.
 static uint32_t bits_for(size_t count) {
     if (count <= 8)
@@ -180,7 +176,8 @@ static bmr_error audit_shape(const bmr_convex32 *p) {
     for (uint32_t i = 0; i < p->count; ++i) {
         const uint32_t j = convex32_next(p, i), k = convex32_next(p, j);
         const bmr_vec32 before = p->normals[i], after = p->normals[j];
-        if (bmr_orientation(widen(p->vertices[i]), widen(p->vertices[j]), widen(p->vertices[k])) <= 0 ||
+        if (bmr_orientation(convex32_wide(p->vertices[i]), convex32_wide(p->vertices[j]),
+                            convex32_wide(p->vertices[k])) <= 0 ||
             !(convex32_turn(before, after) > 0.0))
             return BMR_ERROR_NOT_CONVEX;
         // Once a round the normals pass from below to above.

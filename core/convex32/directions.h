@@ -5,6 +5,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "boomerang/vector.h"
 #include "convex32/convex32.h"
 
 /// @file
@@ -17,6 +18,10 @@
 #define BMR_CONVEX32_LEAST_BITS 5u
 /// More vertices than this between a bucket's ends are searched by halving.
 #define BMR_CONVEX32_SHORT_WALK 4u
+
+static inline bmr_vec2 convex32_wide(bmr_vec32 v) {
+    return bmr_vec2_make((double)v.x, (double)v.y);
+}
 
 /// Sign of the turn from a to b, exact: products of floats are exact in double, and so is the sign of their
 /// difference.

@@ -3,6 +3,7 @@
 
 #include "boomerang/pose.h"
 #include "convex32/convex32_distance.h"
+#include "convex32/directions.h"
 
 /// @file
 /// The search of Gilbert, Johnson and Keerthi for the closest points, which distance, cast and impact share.
@@ -15,22 +16,18 @@ typedef struct posed32 {
     bmr_pose pose;
 } posed32;
 
-static inline bmr_vec2 widen(bmr_vec32 v) {
-    return bmr_vec2_make((double)v.x, (double)v.y);
-}
-
 static inline bmr_vec32 narrow(bmr_vec2 v) {
     const bmr_vec32 r = {(float)v.x, (float)v.y};
     return r;
 }
 
 static inline posed32 posed32_at(const bmr_proxy32 *proxy, const bmr_transform32 *pose) {
-    const posed32 r = {proxy, {widen(pose->p), (double)pose->c, (double)pose->s}};
+    const posed32 r = {proxy, {convex32_wide(pose->p), (double)pose->c, (double)pose->s}};
     return r;
 }
 
 static inline bmr_vec2 posed32_vertex(const posed32 *shape, uint32_t vertex) {
-    return bmr_transform(&shape->pose, widen(shape->proxy->polygon.vertices[vertex]));
+    return bmr_transform(&shape->pose, convex32_wide(shape->proxy->polygon.vertices[vertex]));
 }
 
 /// What choosing supports in float may make of a distance: the reach of both times this.
@@ -69,7 +66,7 @@ static const double no_distance = 0x1p-40;
 bmr_proxy32 bmr_proxy32_points(const bmr_vec32 *points, uint32_t count, float radius) {
     double reach2 = 0.0;
     for (uint32_t i = 0; i < count; ++i) {
-        const bmr_vec2 p = widen(points[i]);
+        const bmr_vec2 p = convex32_wide(points[i]);
         const double square = bmr_dot(p, p);
         if (square > reach2) // not fmax: of that gcc 12 dies where it compiles for ARM64
             reach2 = square;
@@ -270,7 +267,7 @@ bool bmr_convex32_cast(const bmr_proxy32 *a, const bmr_transform32 *pose_a, cons
     const double slop = (double)linear_slop, skin = 2.0 * slop;
     const double radius_a = fmax((double)a->radius, skin), radius_b = fmax((double)b->radius, skin);
     const double wanted = fmax(skin, radius_a + radius_b - skin), tolerance = 0.5 * slop;
-    const bmr_vec2 way = widen(translation);
+    const bmr_vec2 way = convex32_wide(translation);
 
     // Box2D says no at once where the first two vertices that it looks at have met.
     bmr_closest32 closest = {posed32_support(&at_a, bmr_neg(way)), posed32_support(&at_b, way)};
@@ -343,9 +340,9 @@ typedef struct moment {
 static moving move(const bmr_proxy32 *proxy, const bmr_sweep32 *sweep) {
     moving m;
     m.proxy = proxy;
-    m.center = widen(sweep->local_center);
-    m.start = widen(sweep->c0);
-    m.way = bmr_sub(widen(sweep->c), m.start);
+    m.center = convex32_wide(sweep->local_center);
+    m.start = convex32_wide(sweep->c0);
+    m.way = bmr_sub(convex32_wide(sweep->c), m.start);
     m.angle = (double)sweep->a0;
     m.turn = (double)sweep->a - m.angle;
     m.lever = (double)proxy->reach + sqrt(bmr_dot(m.center, m.center));
@@ -452,7 +449,7 @@ static moment advance_turning(const question *q, bmr_vec2 n, double t, double t_
 static bool keeps_apart(const question *q, bmr_vec32 direction, double t_max) {
     if (direction.x == 0.0f && direction.y == 0.0f)
         return false;
-    const axis along = axis_at(q, widen(direction), 0.0, 0.0);
+    const axis along = axis_at(q, convex32_wide(direction), 0.0, 0.0);
     const double distance = q->target + q->tolerance + q->rounding;
     const moment first = look(q, &along, 0.0, distance);
     return first.gap >= 0.0 && holds_between(&along, first, look(q, &along, t_max, distance));

@@ -73,7 +73,7 @@ bmr_error bmr_convex32_simplify(const bmr_convex32 *polygon, float tolerance, co
         return BMR_ERROR_NO_MEMORY;
     uint32_t *kept = (uint32_t *)(vertices + n), left;
     for (uint32_t i = 0; i < n; ++i)
-        vertices[i] = bmr_vec2_make((double)polygon->vertices[i].x, (double)polygon->vertices[i].y);
+        vertices[i] = convex32_wide(polygon->vertices[i]);
     const bmr_rings ring = {vertices, &n, 1};
     const double most = (double)(isinf(tolerance) ? copysignf(FLT_MAX, tolerance) : tolerance);
     const bmr_error error = bmr_outline_simplify(&ring, most, allocator, kept, &left, NULL);

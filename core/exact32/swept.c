@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "float4.h"
+#include "exact32/clip.h"
 
 // A search that has not found its direction after so many steps is left: the hulls have at most 8 vertices
 // each, and nearly all searches end after three.
@@ -14,17 +14,8 @@ enum { MOST_STEPS = 8 };
 // The search ends at a step that comes nearer by less than this part of the distance.
 static const float least_gain = 1e-3f;
 
-// The series of sine and cosine in turn_back are good to the last bit of a float up to this angle.
+// The series of sine and cosine in go_back are good to the last bit of a float up to this angle.
 static const float most_turn = 0.25f;
-
-static float dot(bmr_vec32 a, bmr_vec32 b) {
-    return a.x * b.x + a.y * b.y;
-}
-
-static bmr_vec32 minus(bmr_vec32 a, bmr_vec32 b) {
-    const bmr_vec32 r = {a.x - b.x, a.y - b.y};
-    return r;
-}
 
 static float4 length2(float4 x, float4 y) {
     return add4(mul4(x, x), mul4(y, y));
@@ -160,7 +151,7 @@ static float slide(const question *q, bmr_vec32 n) {
 }
 
 /// The points at the start of the motion, by turning them back from the end.
-static void turn_back(const bmr_swept32 *shape, bmr_swept32 *start) {
+static void go_back(const bmr_swept32 *shape, bmr_swept32 *start) {
     const float t = shape->turn, t2 = t * t;
     const float s = -t * (1.0f - t2 * (1.0f / 6.0f) * (1.0f - t2 * (1.0f / 20.0f)));
     const float c = 1.0f - t2 * 0.5f * (1.0f - t2 * (1.0f / 12.0f) * (1.0f - t2 * (1.0f / 30.0f)));
@@ -181,8 +172,8 @@ static bool apart_at_both_ends(const question *q, bmr_vec32 n, float at_end) {
     if (!(at_end > needed))
         return false;
     bmr_swept32 a, b;
-    turn_back(q->a, &a);
-    turn_back(q->b, &b);
+    go_back(q->a, &a);
+    go_back(q->b, &b);
     return dot(n, q->between) + dot(n, q->back) + gap(&a, &b, n) > needed;
 }
 

@@ -70,6 +70,11 @@ static inline uint32_t bmr_vertex_before(const bmr_polygon *p, uint32_t i) {
     return i > 0 ? i - 1 : p->count - 1;
 }
 
+/// Along edge i, from its vertex to the next.
+static inline bmr_vec2 bmr_edge_vector(const bmr_polygon *p, uint32_t i) {
+    return bmr_sub(p->vertices[bmr_vertex_after(p, i)], p->vertices[i]);
+}
+
 /// As bmr_distance.
 bmr_error bmr_distance_counted(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,
                                const bmr_pose *pose_b, bmr_closest_points *closest, unsigned *steps);

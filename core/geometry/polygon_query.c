@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <math.h>
 
-#include "boomerang/mass.h"
 #include "boomerang/polygon.h"
 #include "geometry/distance.h"
 #include "geometry/length.h"
@@ -11,20 +10,15 @@
 /// products, a sum.
 #define SUPPORT_ROUNDING 1e-15
 
-static inline bmr_vec2 edge_vector(const bmr_polygon *p, uint32_t i) {
-    const uint32_t j = i + 1 < p->count ? i + 1 : 0;
-    return bmr_sub(p->vertices[j], p->vertices[i]);
-}
-
 /// Does edge i lead farther in the direction?
 static inline bool ascends(const bmr_polygon *p, uint32_t i, bmr_vec2 direction) {
-    return bmr_ascends(edge_vector(p, i), direction);
+    return bmr_ascends(bmr_edge_vector(p, i), direction);
 }
 
 bmr_vec2 bmr_polygon_normal(const bmr_polygon *polygon, uint32_t edge) {
     if (polygon->count == 1)
         return bmr_vec2_make(1.0, 0.0);
-    const bmr_vec2 e = bmr_scale_up_if_tiny(edge_vector(polygon, edge));
+    const bmr_vec2 e = bmr_scale_up_if_tiny(bmr_edge_vector(polygon, edge));
     const double length = sqrt(e.x * e.x + e.y * e.y);
     return bmr_vec2_make(e.y / length, -e.x / length);
 }
@@ -136,30 +130,4 @@ bool bmr_polygon_contains(const bmr_polygon *polygon, bmr_vec2 point, double tol
             high = middle;
     }
     return bmr_orientation(v[low], v[low + 1], point) >= 0;
-}
-
-bmr_error bmr_polygon_mass(const bmr_polygon *polygon, bmr_mass *mass) {
-    if (!polygon || !mass)
-        return BMR_ERROR_NULL_ARGUMENT;
-    const bmr_vec2 first = polygon->vertices[0];
-    double twice_area = 0.0, twelve_inertia = 0.0;
-    bmr_vec2 six_moment = bmr_vec2_make(0.0, 0.0);
-    for (uint32_t i = 1; i + 1 < polygon->count; i++) {
-        const bmr_vec2 p = bmr_sub(polygon->vertices[i], first);
-        const bmr_vec2 q = bmr_sub(polygon->vertices[i + 1], first);
-        const double cross = bmr_cross(p, q);
-        twice_area += cross;
-        six_moment = bmr_add(six_moment, bmr_scale(cross, bmr_add(p, q)));
-        twelve_inertia += cross * (bmr_dot(p, p) + bmr_dot(p, q) + bmr_dot(q, q));
-    }
-    const double area = 0.5 * twice_area;
-    const bmr_vec2 way = bmr_scale(1.0 / (6.0 * area), six_moment); // from vertex 0 to the centroid
-    const double inertia = twelve_inertia / 12.0 - area * bmr_dot(way, way);
-    // Written so that a NaN is no mass.
-    if (!(area > 0.0) || !(inertia > 0.0))
-        return BMR_ERROR_OUT_OF_RANGE;
-    mass->area = area;
-    mass->centroid = bmr_add(first, way);
-    mass->inertia = inertia;
-    return BMR_OK;
 }

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "boomerang/hierarchy.h"
+#include "geometry/distance.h"
 #include "geometry/length.h"
 
 /// @file
@@ -58,13 +59,9 @@ struct bmr_hierarchy {
 /// Two directions equal up to the rounding of two unit normals.
 #define BMR_SAME_ANGLE 1e-15
 
-static inline bmr_vec2 bmr_tree_edge_vector(const bmr_polygon *p, uint32_t i) {
-    return bmr_sub(p->vertices[i + 1 < p->count ? i + 1 : 0], p->vertices[i]);
-}
-
 /// Is what lies at `r` from an end of edge i beyond that end, along the edge? However short the edge is.
 static inline bool bmr_tree_beyond(const bmr_polygon *p, uint32_t i, bmr_vec2 r) {
-    return bmr_ascends(bmr_tree_edge_vector(p, i), bmr_scale_up_if_tiny(r));
+    return bmr_ascends(bmr_edge_vector(p, i), bmr_scale_up_if_tiny(r));
 }
 
 /// Is the hierarchy of this kind, and was it built over this polygon? The address alone does not tell: the
@@ -79,7 +76,7 @@ static inline bool bmr_tree_is_of(const bmr_hierarchy *h, int kind, const bmr_po
 static inline bmr_vec2 bmr_tree_normal(const bmr_hierarchy *h, const bmr_node *node) {
     if (!node->own)
         return h->directions[node->direction];
-    const bmr_vec2 e = bmr_tree_edge_vector(h->polygon, (uint32_t)node->touch);
+    const bmr_vec2 e = bmr_edge_vector(h->polygon, (uint32_t)node->touch);
     return bmr_scale_up_if_tiny(bmr_vec2_make(e.y, -e.x));
 }
 

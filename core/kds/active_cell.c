@@ -200,11 +200,6 @@ static bmr_error held_audit(const held_cell *held, const bmr_pose *b_in_a) {
 /// Where there is no cell, the part of the gap that a window may cost: free-fd2's.
 #define CLOSE_PART 0.3
 
-typedef struct cell_class {
-    bmr_kds_class class; ///< first: an info's implementation is a pointer to it
-    bool tiled;
-} cell_class;
-
 typedef struct cell_state {
     held_cell held;           ///< unless `close`
     bool close;               ///< within the mitres: the line is the proof
@@ -214,8 +209,9 @@ typedef struct cell_state {
     unsigned char block[];    ///< the tiling's
 } cell_state;
 
-static const cell_class *class_of(const bmr_kds *kds) {
-    return kds->info->implementation;
+/// Has the pair the whole tiling?
+static bool is_tiled(const bmr_kds *kds) {
+    return kds->info->domain == BMR_KDS_TRANSLATION;
 }
 static cell_state *state_of(bmr_kds *kds) {
     return (cell_state *)(void *)kds->state;
@@ -232,7 +228,7 @@ static bmr_error prepare(bmr_kds *kds) {
 static size_t conditions(const bmr_kds *kds, bmr_condition *out) {
     const cell_state *s = constant_state_of(kds);
     return s->close ? bmr_windowed_conditions(&s->line, kds->def.margin, out)
-                    : held_conditions(&s->held, kds->info->domain != BMR_KDS_TRANSLATION, out);
+                    : held_conditions(&s->held, !is_tiled(kds), out);
 }
 
 static void proof(const bmr_kds *kds, bmr_kds_proof *out) {
@@ -346,7 +342,7 @@ static bmr_mixed_cell across(const cell_state *s, const bmr_condition *failed, b
 /// changed: it does not hold x, or the structure is tiled, which walks by stored neighbours instead.
 static bool step_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, unsigned *touched) {
     cell_state *s = state_of(kds);
-    if (class_of(kds)->tiled || s->close || !held_is_cell(&s->held))
+    if (is_tiled(kds) || s->close || !held_is_cell(&s->held))
         return false;
     const bmr_mixed_cell next = across(s, failed, x, touched);
     if (next.kind >= BMR_MIXED_OUTSIDE || !bmr_mixed_holds(&s->held.mixed, &next, x))
@@ -367,7 +363,7 @@ static bool force_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, un
     if (bmr_mixed_same(&next, &s->held.cell) || !bmr_mixed_exists(&s->held.mixed, &next))
         return false;
     s->held.cell = next;
-    s->tile = class_of(kds)->tiled ? bmr_mixed_tiling_find(s->tiling, &next) : BMR_MIXED_NO_TILE;
+    s->tile = is_tiled(kds) ? bmr_mixed_tiling_find(s->tiling, &next) : BMR_MIXED_NO_TILE;
     return true;
 }
 
@@ -375,7 +371,7 @@ static bool force_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, un
 /// lost.
 static bool find_from_outside(bmr_kds *kds, bmr_vec2 x, bmr_vec2 direction, unsigned *touched) {
     cell_state *s = state_of(kds);
-    if (class_of(kds)->tiled) {
+    if (is_tiled(kds)) {
         if (hold_outside(s, x))
             return true;
         s->tile = BMR_MIXED_NO_TILE;
@@ -396,15 +392,13 @@ static bool find_from_cell(bmr_kds *kds, bmr_vec2 x, unsigned *touched) {
     cell_state *s = state_of(kds);
     bmr_mixed_cell cell = s->held.cell;
     if (!held_is_cell(&s->held)) { // M_0 is entered through the edge that was held, or near it
-        bmr_mixed_side side[BMR_MIXED_MAX_SIDES];
         if (hold_outside(s, x))
             return true;
-        (void)bmr_mixed_sides(&s->held.mixed, &cell, side);
-        const bmr_vec2 n = bmr_mixed_line(&s->held.mixed, side->owner, side->edge).normal;
+        const bmr_vec2 n = bmr_mixed_line(&s->held.mixed, cell.owner, cell.edge).normal;
         const bmr_pose turned = {{0.0, 0.0}, -s->held.mixed.c, -s->held.mixed.s};
-        return find_from_outside(kds, x, side->owner == 0 ? n : bmr_rotate(&turned, n), touched);
+        return find_from_outside(kds, x, cell.owner == 0 ? n : bmr_rotate(&turned, n), touched);
     }
-    if (class_of(kds)->tiled)
+    if (is_tiled(kds))
         return s->tile != BMR_MIXED_NO_TILE && walk_tiles(s, center_of(&s->held.mixed, &cell), x, touched);
     if (!bmr_mixed_exists(&s->held.mixed, &cell)) {
         cell = bmr_mixed_triangle(&s->held.mixed, cell.owner, cell.edge);
@@ -466,7 +460,7 @@ static void set_rotation(bmr_kds *kds, const bmr_pose *ahead) {
     const bool same = s->held.mixed.c == ahead->c && s->held.mixed.s == ahead->s;
     s->held.mixed.c = ahead->c;
     s->held.mixed.s = ahead->s;
-    if (!class_of(kds)->tiled || (same && s->tiling))
+    if (!is_tiled(kds) || (same && s->tiling))
         return;
     s->tiling = (bmr_mixed_tiling *)(void *)s->block;
     bmr_mixed_tiling_build(s->tiling, &s->held.mixed, kds->bytes - sizeof(bmr_kds) - sizeof *s);
@@ -581,7 +575,7 @@ static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
     const cell_state *s = constant_state_of(kds);
     if (s->close)
         return bmr_windowed_audit(&s->line, kds, b_in_a);
-    const bool is_its_tile = !class_of(kds)->tiled || !held_is_cell(&s->held) ||
+    const bool is_its_tile = !is_tiled(kds) || !held_is_cell(&s->held) ||
                              bmr_mixed_tiling_find(s->tiling, &s->held.cell) == s->tile;
     return is_its_tile ? held_audit(&s->held, b_in_a) : BMR_ERROR_INVALID_STRUCTURE;
 }
@@ -592,19 +586,12 @@ static size_t tiling_bytes(const bmr_shape *a, const bmr_shape *b, const bmr_kds
                                        b->hierarchies[BMR_HIERARCHY_DUDLEY]);
 }
 
-#define CELL_CLASS(extra, is_tiled)                                                                          \
+#define CELL_CLASS(extra)                                                                                    \
     {                                                                                                        \
-        .class = {.state_bytes = sizeof(cell_state),                                                         \
-                  .extra_bytes = (extra),                                                                    \
-                  .prepare = prepare,                                                                        \
-                  .start = start,                                                                            \
-                  .conditions = conditions,                                                                  \
-                  .repair = repair,                                                                          \
-                  .proof = proof,                                                                            \
-                  .audit = audit},                                                                           \
-        .tiled = (is_tiled)                                                                                  \
+        .state_bytes = sizeof(cell_state), .extra_bytes = (extra), .prepare = prepare, .start = start,       \
+        .conditions = conditions, .repair = repair, .proof = proof, .audit = audit                           \
     }
-static const cell_class implicit_cell = CELL_CLASS(NULL, false), tiling = CELL_CLASS(tiling_bytes, true);
+static const bmr_kds_class implicit_cell = CELL_CLASS(NULL), tiling = CELL_CLASS(tiling_bytes);
 
 BMR_KDS_INFO(active_cell_compass, "active-cell-compass", "Active cell of the mixed hierarchy, compass",
              "4, 5 (two polygons, rigid motion)", BMR_KDS_RIGID, BMR_KDS_CONTROL, BMR_HIERARCHY_COMPASS,

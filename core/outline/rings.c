@@ -184,3 +184,10 @@ bmr_error bmr_outline_mass(const bmr_rings *rings, bmr_mass *mass) {
     *mass = (bmr_mass){area, bmr_add(about, way), inertia};
     return BMR_OK;
 }
+
+bmr_error bmr_polygon_mass(const bmr_polygon *polygon, bmr_mass *mass) {
+    if (!polygon)
+        return BMR_ERROR_NULL_ARGUMENT;
+    const bmr_rings ring = {polygon->vertices, &polygon->count, 1};
+    return bmr_outline_mass(&ring, mass);
+}

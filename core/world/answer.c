@@ -165,12 +165,12 @@ static bmr_error answer(bmr_world *w, bmr_body_pair *c, const bmr_response *resp
     bmr_touch_move(touch, m.of); // a callback may have changed them
     bool can = response->kind != BMR_RESPONSE_PASS && is_pose(&m.of[0].pose) && is_pose(&m.of[1].pose),
          changed = false;
-    if (!can)
-        return bmr_body_pair_pass(w, c);
-    if (response->kind == BMR_RESPONSE_IMPULSE)
+    if (can && response->kind == BMR_RESPONSE_IMPULSE)
         can = collide(w, c, response->restitution, touch, &m, &changed);
-    if (!can)
-        return bmr_body_pair_pass(w, c);
+    if (!can) {
+        bmr_body_pair_pass(w, c);
+        return BMR_OK;
+    }
     if (changed) {
         const bmr_error error = set_momentum(w, c, &m);
         if (!w->busy) // a pose that is none: the pair was given up

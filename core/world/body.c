@@ -287,19 +287,6 @@ static int64_t column_at(int64_t before, int64_t now, double place) {
     return place >= (double)before - room && place <= (double)before + 1.0 + room ? before : now;
 }
 
-/// By how much of a cell a place is outside of one.
-static double beyond(double cell, double place) {
-    return fmax(cell - place, place - (cell + 1.0));
-}
-
-/// It is farther out of its cell than rounding of its place allows: no time lies between. (A motion that
-/// begins now may begin there.)
-static bool has_left(const bmr_world *w, const bmr_world_body *r, bmr_vec2 position) {
-    const bmr_vec2 at = bmr_grid_cells(w, r->cell->level, position);
-    const double x = beyond((double)r->column, at.x), y = beyond((double)r->row, at.y);
-    return !(fmax(x, y) <= BMR_CELL_HYSTERESIS + CELL_OVERSHOOT);
-}
-
 static bmr_error cross(bmr_world *w, bmr_world_body *r) {
     const bmr_vec2 position = bmr_path_position(&r->now.piece, w->time);
     int level;
@@ -308,7 +295,9 @@ static bmr_error cross(bmr_world *w, bmr_world_body *r) {
         return bmr_world_stop(w, error, BMR_TROUBLE_PLACE, r->id, BMR_NO_BODY);
     if (error != BMR_OK)
         return error;
-    if (r->since < w->time && has_left(w, r, position))
+    // It is farther out of its cell than rounding of its place allows: no time lies between. (A motion that
+    // begins now may begin there.)
+    if (r->since < w->time && !bmr_body_in_cell(w, r, position, BMR_CELL_HYSTERESIS + CELL_OVERSHOOT))
         return bmr_world_stop(w, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED, r->id, BMR_NO_BODY);
     int64_t column, row;
     bmr_grid_place(w, level, position, &column, &row);

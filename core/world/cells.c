@@ -277,6 +277,16 @@ void bmr_grid_prune(bmr_world *w, bmr_cell *cell) {
     }
 }
 
+/// By how much of a cell a place is outside of one.
+static double beyond(double cell, double place) {
+    return fmax(cell - place, place - (cell + 1.0));
+}
+
+bool bmr_body_in_cell(const bmr_world *w, const bmr_world_body *r, bmr_vec2 position, double room) {
+    const bmr_vec2 at = bmr_grid_cells(w, r->cell->level, position);
+    return fmax(beyond((double)r->column, at.x), beyond((double)r->row, at.y)) <= room;
+}
+
 void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_world_body *r) {
     r->cell = cell;
     r->before = NULL;

@@ -412,7 +412,7 @@ static bmr_error meet(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches)
     return BMR_OK;
 }
 
-static bmr_error part(bmr_world *w, bmr_body_pair *c) {
+static void part(bmr_world *w, bmr_body_pair *c) {
     end_structure(w, c);
     set_watch(w, c, BMR_WATCH_DISKS);
     const bmr_body a = c->side[0]->id, b = c->side[1]->id;
@@ -421,7 +421,6 @@ static bmr_error part(bmr_world *w, bmr_body_pair *c) {
     else
         bmr_body_pair_destroy(w, c);
     bmr_world_observe(w, BMR_WORLD_PART, w->time, a, b, NULL);
-    return BMR_OK;
 }
 
 /// When the condition fails, where that is known better than by the search: at `later` it does.
@@ -538,7 +537,8 @@ bmr_error bmr_body_pair_event(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *
     case BMR_DUE_FAIL:
         return fail(w, c, touches);
     case BMR_DUE_PART:
-        return part(w, c);
+        part(w, c);
+        return BMR_OK;
     case BMR_DUE_TOUCH:
         c->near->touches = c->near->touch == w->time ? c->near->touches + 1 : 1;
         c->near->touch = w->time;
@@ -562,7 +562,7 @@ void bmr_body_pair_hold(bmr_world *w, bmr_body_pair *c) {
     bmr_event_queue_set(&w->queue, &c->head.item, INFINITY);
 }
 
-bmr_error bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c) {
+void bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c) {
     bmr_near *const n = c->near;
     set_watch(w, c, BMR_WATCH_PASSING);
     n->from = n->repaired = w->time;
@@ -570,7 +570,6 @@ bmr_error bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c) {
     n->growth = INFINITY;
     n->retries = 0;
     bmr_body_pair_search_later(w, c, false);
-    return BMR_OK;
 }
 
 bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, bool placed, double receding) {
@@ -598,6 +597,6 @@ bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, bool placed, doub
         return BMR_OK;
     }
     // Overlapping bodies were put there: they pass, until they are apart.
-    const bmr_error error = bmr_body_pair_pass(w, c);
-    return placed ? error : bmr_body_pair_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_CONTACTS);
+    bmr_body_pair_pass(w, c);
+    return placed ? BMR_OK : bmr_body_pair_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_CONTACTS);
 }

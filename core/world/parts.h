@@ -197,6 +197,8 @@ void bmr_grid_place(const bmr_world *w, int level, bmr_vec2 position, int64_t *c
 bmr_error bmr_grid_cell(bmr_world *w, int level, int64_t column, int64_t row, bmr_cell **cell);
 /// Gives a cell back if nothing lives in it or below it, and so on upwards.
 void bmr_grid_prune(bmr_world *w, bmr_cell *cell);
+/// Is a place of the body in its cell, or outside of it by no more than this part of the cell?
+bool bmr_body_in_cell(const bmr_world *w, const bmr_world_body *r, bmr_vec2 position, double room);
 void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_world_body *r);
 void bmr_cell_leave(bmr_world *w, bmr_world_body *r);
 /// Gives the top levels back that no body has needed for long.
@@ -293,7 +295,7 @@ bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, bool placed, doub
 /// While its contact is told: nothing is due.
 void bmr_body_pair_hold(bmr_world *w, bmr_body_pair *c);
 /// After PASS.
-bmr_error bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c);
+void bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c);
 bool bmr_item_before(const bmr_event_item *a, const bmr_event_item *b);
 
 /// How many contacts without coming apart it takes for the margin to be halved. With ZENO_ELASTIC they may be

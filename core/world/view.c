@@ -124,10 +124,8 @@ bmr_world_totals bmr_world_get_totals(const bmr_world *w) {
 static bool in_cell(const bmr_world *w, const bmr_world_body *r) {
     if (!r->cell)
         return w->def.all_pairs && w->def.boundary != BMR_PERIODIC;
-    const bmr_vec2 at = bmr_grid_cells(w, r->cell->level, bmr_path_position(&r->now.piece, w->time));
-    const double x = at.x - (double)r->column, y = at.y - (double)r->row;
-    const double room = BMR_CELL_HYSTERESIS + ROOM;
-    return x >= -room && x <= 1.0 + room && y >= -room && y <= 1.0 + room;
+    const bmr_vec2 position = bmr_path_position(&r->now.piece, w->time);
+    return bmr_body_in_cell(w, r, position, BMR_CELL_HYSTERESIS + ROOM);
 }
 
 static bool near_by(int64_t a, int64_t b, int64_t size, int64_t *image) {

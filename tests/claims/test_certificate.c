@@ -5,10 +5,6 @@
 #include "motions.h"
 #include "polygons.h"
 
-/// bmr_certificate_check_pair as it is on machines without SSE2 (kit/plain_lanes.c).
-bmr_check test_scalar_check_pair(const bmr_certificate *certificate, const bmr_pose *b_in_a, int owner,
-                                 double margin, double *gap);
-
 #define TWO_PI 6.283185307179586
 #define LEAST_ROUNDS 1500
 
@@ -180,7 +176,6 @@ TEST(a_nan_anywhere_never_holds) {
             bmr_certificate k;
             memcpy(&k, numbers, sizeof k);
             assert_int_not_equal(bmr_certificate_check(&k, &s.pose, -1.0, &gap), BMR_CHECK_HOLDS);
-            assert_int_not_equal(test_scalar_check_pair(&k, &s.pose, 0, -1.0, &gap), BMR_CHECK_HOLDS);
         }
         double pose[4] = {s.pose.position.x, s.pose.position.y, s.pose.c, s.pose.s};
         for (size_t i = 0; i < 4; ++i)
@@ -190,35 +185,9 @@ TEST(a_nan_anywhere_never_holds) {
                 bad[i] = sign == 0 ? (double)NAN : (double)sign * (double)INFINITY;
                 bmr_pose q = {{bad[0], bad[1]}, bad[2], bad[3]};
                 assert_int_not_equal(bmr_certificate_check(&s.certificate, &q, -1.0, &gap), BMR_CHECK_HOLDS);
-                assert_int_not_equal(test_scalar_check_pair(&s.certificate, &q, 0, -1.0, &gap),
-                                     BMR_CHECK_HOLDS);
             }
         drop(&s);
     }
-}
-
-TEST(the_check_says_the_same_with_and_without_vector_instructions) {
-    test_random random = {15};
-    size_t said[3] = {0};
-    for (size_t i = 0; i < rounds(20000); ++i) {
-        setting s = random_setting(&random);
-        const double turned = test_random_uniform(&random, -0.3, 0.3);
-        bmr_pose q = s.pose;
-        q.c = s.pose.c * cos(turned) - s.pose.s * sin(turned);
-        q.s = s.pose.s * cos(turned) + s.pose.c * sin(turned);
-        for (int owner = 0; owner < 2; ++owner) {
-            if (owner == 1)
-                q = bmr_pose_inverse(&q);
-            double gap, scalar_gap;
-            const double margin = test_random_uniform(&random, 0.0, 2.0);
-            const bmr_check check = bmr_certificate_check_pair(&s.certificate, &q, owner, margin, &gap);
-            assert_int_equal(check, test_scalar_check_pair(&s.certificate, &q, owner, margin, &scalar_gap));
-            assert_memory_equal(&gap, &scalar_gap, sizeof gap);
-            ++said[check];
-        }
-        drop(&s);
-    }
-    assert_true(said[0] > 100 && said[1] > 100 && said[2] > 100);
 }
 
 TEST(the_audit_accepts_what_is_true_and_rejects_every_tampering) {

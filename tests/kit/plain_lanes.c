@@ -31,15 +31,3 @@
 
 #define FLOAT4_TABLE test_plain_float4
 #include "float4_operations.h"
-
-// The header chooses by this macro.
-#undef __SSE2__
-#include "boomerang/certificate.h"
-
-bmr_check test_scalar_check_pair(const bmr_certificate *certificate, const bmr_pose *b_in_a, int owner,
-                                 double margin, double *gap);
-
-bmr_check test_scalar_check_pair(const bmr_certificate *certificate, const bmr_pose *b_in_a, int owner,
-                                 double margin, double *gap) {
-    return bmr_certificate_check_pair(certificate, b_in_a, owner, margin, gap);
-}

@@ -2,10 +2,6 @@
 #ifndef BOOMERANG_CERTIFICATE_H
 #define BOOMERANG_CERTIFICATE_H
 
-#if defined(__SSE2__)
-#    include <emmintrin.h>
-#endif
-
 #include "boomerang/polygon.h"
 
 #ifdef __cplusplus
@@ -40,6 +36,9 @@ typedef enum bmr_check {
     BMR_CHECK_ROLLED   ///< the direction left the bracket: roll
 } bmr_check;
 
+/// Covers what the check's own arithmetic loses on the position: less than 4 units in the last place of it.
+#define BMR_CHECK_ROUNDING 1.7763568394002505e-15 /* 2^-49 */
+
 /// Checks a certificate at a pose of B in A's frame. `owner` says whose the line is (0: A's, 1: B's). `*gap`
 /// gets a lower bound of the distance of the two bodies, valid if the result is HOLDS or CROSSED. O(1), reads
 /// the certificate alone. A NaN anywhere never gives HOLDS.
@@ -48,67 +47,6 @@ typedef enum bmr_check {
 /// frame. q is the same direction in A's frame, in which the position is given: the normal itself if A owns
 /// the line, -u if B does. So no pose is ever inverted. 2^-49 of the position is subtracted from the gap,
 /// which covers the rounding of this expression.
-static inline bmr_check bmr_certificate_check_pair(const bmr_certificate *k, const bmr_pose *b_in_a,
-                                                   int owner, double margin, double *gap);
-
-/// The same for an owner A.
-static inline bmr_check bmr_certificate_check(const bmr_certificate *k, const bmr_pose *other_in_owner,
-                                              double margin, double *gap) {
-    return bmr_certificate_check_pair(k, other_in_owner, 0, margin, gap);
-}
-
-/// Covers what the check's own arithmetic loses on the position: less than 4 units in the last place of it.
-#define BMR_CHECK_ROUNDING 1.7763568394002505e-15 /* 2^-49 */
-
-#if defined(__SSE2__)
-
-static inline __m128d bmr_load_pair_(const float *two) {
-    return _mm_cvtps_pd(_mm_loadl_pi(_mm_setzero_ps(), (const __m64 *)(const void *)two));
-}
-
-static inline bmr_check bmr_certificate_check_pair(const bmr_certificate *k, const bmr_pose *b_in_a,
-                                                   int owner, double margin, double *gap) {
-    const __m128d signs = _mm_set1_pd(-0.0), second_sign = _mm_set_pd(-0.0, 0.0);
-    const __m128d n = bmr_load_pair_(k->normal), p = _mm_loadu_pd(&b_in_a->position.x);
-    // u = (c nx + s ny, c ny - s nx), with -s in place of s where the line is B's.
-    const __m128d along = _mm_mul_pd(_mm_set1_pd(b_in_a->c), n);
-    const __m128d across =
-        _mm_mul_pd(_mm_set1_pd(b_in_a->s), _mm_xor_pd(_mm_shuffle_pd(n, n, 1), second_sign));
-    __m128d u, q;
-    if (owner) { // the same for many steps: a branch costs less than arithmetic for both
-        u = _mm_sub_pd(along, across);
-        q = _mm_xor_pd(u, signs);
-    } else {
-        u = _mm_add_pd(along, across);
-        q = n;
-    }
-    const __m128d position =
-        _mm_sub_pd(_mm_mul_pd(q, p), _mm_mul_pd(_mm_set1_pd(BMR_CHECK_ROUNDING), _mm_andnot_pd(signs, p)));
-    const __m128d m0 = _mm_mul_pd(u, bmr_load_pair_(k->window[0])),
-                  m1 = _mm_mul_pd(u, bmr_load_pair_(k->window[1]));
-    const __m128d windows = _mm_add_pd(_mm_unpacklo_pd(m0, m1), _mm_unpackhi_pd(m0, m1));
-    const __m128d rest = _mm_sub_pd(_mm_add_pd(position, _mm_shuffle_pd(position, position, 1)),
-                                    _mm_set1_pd((double)k->offset));
-    const __m128d f = _mm_add_pd(windows, rest);
-    const __m128d low = bmr_load_pair_(k->low), high = bmr_load_pair_(k->high);
-    const __m128d uy_ux = _mm_shuffle_pd(u, u, 1);
-    const __m128d a = _mm_mul_pd(low, uy_ux), b = _mm_mul_pd(high, uy_ux);
-    // cross(low, -u), cross(-u, high)
-    const __m128d past = _mm_sub_pd(_mm_shuffle_pd(a, b, 1), _mm_shuffle_pd(a, b, 2));
-    *gap = _mm_cvtsd_f64(_mm_min_sd(f, _mm_unpackhi_pd(f, f)));
-    if (_mm_movemask_pd(_mm_cmpge_pd(past, _mm_set1_pd(BMR_ROLL_TOLERANCE))) != 3) {
-        // Not well inside. A bracket no wider than the tolerance would let the opposite direction pass as
-        // well: it must be ahead.
-        const __m128d d = _mm_mul_pd(_mm_add_pd(low, high), u), behind = _mm_add_sd(d, _mm_unpackhi_pd(d, d));
-        if (_mm_movemask_pd(_mm_cmpge_pd(past, _mm_set1_pd(-BMR_ROLL_TOLERANCE))) != 3 ||
-            !(_mm_cvtsd_f64(behind) <= BMR_ROLL_TOLERANCE))
-            return BMR_CHECK_ROLLED;
-    }
-    return _mm_movemask_pd(_mm_cmpgt_pd(f, _mm_set1_pd(margin))) == 3 ? BMR_CHECK_HOLDS : BMR_CHECK_CROSSED;
-}
-
-#else
-
 static inline bmr_check bmr_certificate_check_pair(const bmr_certificate *k, const bmr_pose *b_in_a,
                                                    int owner, double margin, double *gap) {
     const double nx = (double)k->normal[0], ny = (double)k->normal[1];
@@ -134,7 +72,11 @@ static inline bmr_check bmr_certificate_check_pair(const bmr_certificate *k, con
     return f0 > margin && f1 > margin ? BMR_CHECK_HOLDS : BMR_CHECK_CROSSED; // both: one may be NaN
 }
 
-#endif
+/// The same for an owner A.
+static inline bmr_check bmr_certificate_check(const bmr_certificate *k, const bmr_pose *other_in_owner,
+                                              double margin, double *gap) {
+    return bmr_certificate_check_pair(k, other_in_owner, 0, margin, gap);
+}
 
 /// Fills a certificate: the line <normal, x> <= offset of the owner, and a window of one or two points of the
 /// other body that is valid in the bracket [low, high] (both zero: everywhere). The three directions have
