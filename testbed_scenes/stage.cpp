@@ -6,25 +6,6 @@
 #include "scene.h"
 
 namespace testbed {
-namespace {
-
-// Box2D has no const accessor for user data.
-template <typename Object> uint32_t ReadNumber(const Object &object) {
-    return static_cast<uint32_t>(const_cast<Object &>(object).GetUserData().pointer);
-}
-
-} // namespace
-
-uint32_t NumberOf(const b2Body &body) {
-    return ReadNumber(body);
-}
-uint32_t NumberOf(const b2Fixture &fixture) {
-    return ReadNumber(fixture);
-}
-uint32_t NumberOf(const b2Joint &joint) {
-    return ReadNumber(joint);
-}
-
 Stage::Stage(Scene &scene, unsigned long seed, EventObserver *observer)
     : m_scene(scene), m_observer(observer), m_random(seed), m_world(b2Vec2(0.0f, -10.0f)) {
     m_world.SetDestructionListener(this);

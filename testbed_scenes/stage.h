@@ -106,10 +106,10 @@ private:
     uint32_t m_jointsMade = 0;
 };
 
-/// The number a stage gave; fixtures count from 0 within their body.
-uint32_t NumberOf(const b2Body &body);
-uint32_t NumberOf(const b2Fixture &fixture);
-uint32_t NumberOf(const b2Joint &joint);
+/// The number a stage gave a body, a fixture or a joint; fixtures count from 0 within their body.
+template <typename Object> uint32_t NumberOf(const Object &object) {
+    return static_cast<uint32_t>(const_cast<Object &>(object).GetUserData().pointer); // Box2D's is not const
+}
 
 } // namespace testbed
 

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <stdexcept>
 #include <string>
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include "theory/course.h"
@@ -16,30 +15,6 @@
 
 namespace testbed {
 namespace {
-
-/// A file that goes away with its object.
-class TemporaryFile {
-public:
-    /// Makes it, empty. Throws std::runtime_error.
-    TemporaryFile() {
-        const std::filesystem::path directory = std::filesystem::temp_directory_path();
-        m_path = (directory / "boomerang-XXXXXX").string();
-        const int descriptor = mkstemp(m_path.data());
-        if (descriptor < 0)
-            throw std::runtime_error("cannot make a temporary file in " + directory.string());
-        close(descriptor);
-    }
-    ~TemporaryFile() {
-        std::error_code ignored;
-        std::filesystem::remove(m_path, ignored);
-    }
-    TemporaryFile(const TemporaryFile &) = delete;
-    TemporaryFile &operator=(const TemporaryFile &) = delete;
-    const std::string &Path() const { return m_path; }
-
-private:
-    std::string m_path;
-};
 
 /// The least separation in Box2D's metres: ten times the two skins, so that the solver never moves a body.
 constexpr double kLeastGap = 0.2;
@@ -109,12 +84,13 @@ Box2DCalls RunInBox2D(const Course &course, const Workers &workers) {
     if (!workers.CanCount())
         throw WorkerError("the counting library is missing: build boomerang-count");
     const double scale = course.Separation() > 0.0 ? std::max(1.0, kLeastGap / course.Separation()) : 1.0;
-    const TemporaryFile file;
+    // A file without a place, which the workers have open, too.
+    const int file = memfd_create("course", 0);
     WorkerRequest request;
-    request.course = file.Path();
+    request.course = "/dev/fd/" + std::to_string(file);
     request.mode = "count";
     request.steps = StepsFor(course, scale);
-    WriteCourse(course, scale, static_cast<int>(request.steps), file.Path());
+    WriteCourse(course, scale, static_cast<int>(request.steps), request.course);
 
     Box2DCalls calls = {};
     for (size_t i = 0; i < 2; ++i) {
@@ -129,6 +105,7 @@ Box2DCalls RunInBox2D(const Course &course, const Workers &workers) {
             if (i == 1)
                 calls[7] += summary.at("plugin").at("events").at(kind).get<double>();
     }
+    close(file);
     return calls;
 }
 

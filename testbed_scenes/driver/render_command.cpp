@@ -46,7 +46,7 @@ std::shared_ptr<const Body> ReadBody(const std::string &path) {
     const std::vector<bmr_vec2> corners = body->Vertices();
     if (corners.size() < 3)
         throw UsageError(path + ": a polygon has three corners or more that are not on one line");
-    const double tolerance = 1e-9 * body->Diameter();
+    const double tolerance = 1e-9 * bmr_polygon_diameter(body->Polygon());
     for (const bmr_vec2 &point : points) {
         double depth = HUGE_VAL; // behind the nearest edge
         for (size_t i = 0; i < corners.size(); ++i) {
@@ -70,8 +70,7 @@ void AddPair(const RenderCommand &command, PictureSeries *series, Progress *prog
                          "(events --list shows all)");
     try {
         const auto a = ReadBody(command.polygons.front()), b = ReadBody(command.polygons.back());
-        const MotionFile motion = ReadMotionFile(command.motion);
-        const Course course(a, b, motion);
+        const Course course(a, b, ReadMotionFile(command.motion));
         if (!Takes(*structure, course))
             throw UsageError(std::string("--structure: ") + structure->name +
                              " does not take two polygons that turn");

@@ -21,9 +21,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Joint, line)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ContactPoint, at, impulse)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Contact, bodies, normal, points)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Outline, id, body, points)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Proof, kind, fixtures, contacts, slack, owner, level, normal, edge,
-                                   opposite, supports, centres, radii, hulls, envelopes)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Pair, a, b, contacts, polygon_contacts, touching, closest, distance, slack,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Proof, kind, contacts, slack, owner, normal, edge, opposite, supports,
+                                   centres, radii, hulls, envelopes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Pair, a, b, contacts, polygon_contacts, touching, closest, distance,
                                    proofs, handed_over)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Event, kind, a, b)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Frame, scene, program, time, period, step, bodies, fixtures, boxes, joints,

@@ -87,20 +87,18 @@ struct Outline {
 ///   kind             says                                     uses
 ///   none             nothing: the contact touches, or the     -
 ///                    proof was not found
-///   remembered-edge  an edge of one fixture, kept by the      fixtures, owner, normal, edge, opposite
+///   remembered-edge  an edge of one fixture, kept by the      owner, normal, edge, opposite
 ///                    contact: all of the other lies beyond
-///   edge-line        an edge of the owner's envelope at       owner, level, normal, edge, opposite, hulls,
-///                    `level`, and the nearest corner of       envelopes
-///                    the other's
+///   edge-line        an edge of the owner's envelope at a     owner, normal, edge, opposite, hulls,
+///                    level, and the nearest corner of the     envelopes
+///                    other's
 ///   direction        a direction, and both supports           owner, normal, supports, hulls
 ///   disks            two bounding disks                       centres, radii, hulls
 struct Proof {
     std::string kind = "none";
-    std::array<int, 2> fixtures = {-1, -1}; ///< -1: the hull of all the body's polygon fixtures
-    int contacts = 1;                       ///< how many contacts of the pair this proof serves
+    int contacts = 1;            ///< how many contacts of the pair this proof serves
     float slack = 0.0f;          ///< certified: at least so far apart, skins (radii) not subtracted
     int owner = 0;               ///< 0: the line is a's; 1: it is b's
-    int level = 0;               ///< of the hierarchies
     Vec normal;                  ///< owner's coordinates, unit length, out of the owner
     std::array<Vec, 2> edge;     ///< owner's coordinates: the edge's ends
     Vec opposite;                ///< the other's coordinates: its vertex or corner nearest to the line
@@ -120,8 +118,6 @@ struct Pair {
     /// (b2Distance, radii not subtracted); -1 where there is no polygon contact.
     std::array<Vec, 2> closest;
     float distance = -1.0f;
-    /// The least slack of its proofs, 0 if one is missing; -1 with stock or without a polygon contact.
-    float slack = -1.0f;
     std::vector<Proof> proofs; ///< one for each polygon contact, contacts with the same proof together
     int handed_over = 0;       ///< evaluations of its polygon contacts in this step that needed a manifold
 };

@@ -2,7 +2,6 @@
 #include "theory/course.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -51,14 +50,6 @@ std::vector<bmr_vec2> Body::Vertices() const {
     return {m_polygon->vertices, m_polygon->vertices + m_polygon->count};
 }
 
-double Body::Diameter() const {
-    double most = 0.0;
-    for (const bmr_vec2 &a : Vertices())
-        for (const bmr_vec2 &b : Vertices())
-            most = std::max(most, std::hypot(a.x - b.x, a.y - b.y));
-    return most;
-}
-
 namespace {
 
 /// The separation of a motion from a file is measured to this part of the diameter.
@@ -79,29 +70,32 @@ void OnEvent(void *context, const bmr_simulation_event *event) {
 } // namespace
 
 Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, const bmr_family_def &family)
-    : m_bodies{std::move(a), std::move(b)}, m_owned(true), m_rigid(bmr_family_is_rigid(family.family)),
+    : m_bodies{std::move(a), std::move(b)}, m_rigid(bmr_family_is_rigid(family.family)),
       m_convex(bmr_family_is_convex(family.family)) {
-    Require(bmr_family_create(&family, m_bodies[0]->Polygon(), m_bodies[1]->Polygon(), nullptr, &m_made),
+    bmr_family_motion made = {};
+    Require(bmr_family_create(&family, m_bodies[0]->Polygon(), m_bodies[1]->Polygon(), nullptr, &made),
             std::string("the motion ") + bmr_family_name(family.family));
-    m_motions[0] = m_made.motions[0];
-    m_motions[1] = m_made.motions[1];
-    m_diameter = m_made.diameter;
-    m_separation = m_made.separation;
+    for (int i = 0; i < 2; ++i)
+        m_file.motions[i].reset(made.motions[i]);
+    m_diameter = made.diameter;
+    m_separation = made.separation;
 }
 
-Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, const MotionFile &file)
-    : m_bodies{std::move(a), std::move(b)}, m_motions{file.motions[0].get(), file.motions[1].get()},
-      m_from(file.from), m_until(file.until) {
-    m_diameter =
-        std::max(bmr_polygon_diameter(m_bodies[0]->Polygon()), bmr_polygon_diameter(m_bodies[1]->Polygon()));
+Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, MotionFile file)
+    : m_bodies{std::move(a), std::move(b)}, m_file(std::move(file)),
+      m_diameter(std::max(bmr_polygon_diameter(m_bodies[0]->Polygon()),
+                          bmr_polygon_diameter(m_bodies[1]->Polygon()))) {
     double time = 0.0;
-    Require(bmr_least_distance(m_bodies[0]->Polygon(), m_bodies[1]->Polygon(), m_motions[0], m_motions[1],
-                               m_from, m_until, kSeparationTolerance * m_diameter, &m_separation, &time),
+    Require(bmr_least_distance(m_bodies[0]->Polygon(), m_bodies[1]->Polygon(), Motion(0), Motion(1), From(),
+                               Until(), kSeparationTolerance * m_diameter, &m_separation, &time),
             "the separation");
 }
 
 bmr_course Course::AsCourse() const {
-    return {{m_bodies[0]->Polygon(), m_bodies[1]->Polygon()}, {m_motions[0], m_motions[1]}, m_from, m_until};
+    return {{m_bodies[0]->Polygon(), m_bodies[1]->Polygon()},
+            {m_file.motions[0].get(), m_file.motions[1].get()},
+            From(),
+            Until()};
 }
 
 bmr_kds_def DefFor(const Course &course) {
@@ -110,11 +104,6 @@ bmr_kds_def DefFor(const Course &course) {
     if (course.Separation() > 0.0)
         def.margin = std::min(def.margin, kPartOfSeparation * course.Separation());
     return def;
-}
-
-Course::~Course() {
-    if (m_owned)
-        bmr_family_destroy(&m_made);
 }
 
 bool Takes(const bmr_kds_info &structure, const Course &course) {
@@ -143,9 +132,7 @@ Outcome Follow(const Course &course, const bmr_kds_info &structure, const bmr_kd
     run.context = &watch;
     const bmr_course followed = course.AsCourse();
     Outcome outcome;
-    const auto start = std::chrono::steady_clock::now();
     Require(bmr_run_course(&run, &followed, course.Diameter(), nullptr, &outcome.run), structure.name);
-    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (outcome.run.audit != BMR_OK)
         throw std::runtime_error(std::string(structure.name) + ": an audit found that " +
                                  bmr_error_describe(outcome.run.audit));

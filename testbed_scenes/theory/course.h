@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "boomerang/analysis.h"
+#include "boomerang/families.h"
 #include "boomerang/kds.h"
 #include "boomerang/motion.h"
 #include "picture/frame.h"
@@ -30,8 +31,6 @@ public:
     const bmr_hierarchy *Hierarchy(bmr_hierarchy_kind kind) const { return m_hierarchies[kind].get(); }
     bmr_shape Shape() const;
     std::vector<bmr_vec2> Vertices() const;
-    /// The largest distance of two vertices.
-    double Diameter() const;
 
 private:
     struct Deleter {
@@ -74,13 +73,13 @@ MotionFile ReadMotionFile(const std::string &path);
 class Course {
 public:
     Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, const bmr_family_def &family);
-    Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, const MotionFile &file);
+    Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, MotionFile file);
 
     const Body &BodyOf(int index) const { return *m_bodies[index]; }
-    const bmr_motion *Motion(int index) const { return m_motions[index]; }
+    const bmr_motion *Motion(int index) const { return m_file.motions[index].get(); }
     bmr_course AsCourse() const;
-    double From() const { return m_from; }
-    double Until() const { return m_until; }
+    double From() const { return m_file.from; }
+    double Until() const { return m_file.until; }
     double Diameter() const { return m_diameter; }
     /// The least separation over the whole course.
     double Separation() const { return m_separation; }
@@ -88,18 +87,11 @@ public:
     bool IsRigid() const { return m_rigid; }
     bool IsConvex() const { return m_convex; }
 
-    Course(const Course &) = delete;
-    Course &operator=(const Course &) = delete;
-    ~Course();
-
 private:
-    void Measure();
-
     std::shared_ptr<const Body> m_bodies[2];
-    bmr_family_motion m_made = {};
-    bmr_motion *m_motions[2] = {};
-    bool m_owned = false, m_rigid = true, m_convex = false;
-    double m_from = 0.0, m_until = 1.0, m_diameter = 0.0, m_separation = 0.0;
+    MotionFile m_file;
+    bool m_rigid = true, m_convex = false;
+    double m_diameter = 0.0, m_separation = 0.0;
 };
 
 /// With a margin far below the least separation, or the pair would be in contact where it only passes.
@@ -109,7 +101,6 @@ bmr_kds_def DefFor(const Course &course);
 struct Outcome {
     bmr_run run = {};
     uint64_t outsideEvents = 0; ///< before and after which the level was -1: outside of every envelope
-    double seconds = 0.0;
 };
 
 using EventObserver = std::function<void(const bmr_simulation_event &)>;

@@ -37,7 +37,6 @@ shown::Proof LineOf(const bmr_kds_proof &line, const bmr_polygon *const polygons
     const bmr_vec2 seen = bmr_unrotate(&poses[own], bmr_sub(nearest, poses[own].position));
     proof.kind = "direction";
     proof.owner = line.owner;
-    proof.level = line.level;
     proof.normal = ToVec(normal);
     proof.supports[own] = ToVec(polygons[own]->vertices[bmr_polygon_support(polygons[own], normal)]);
     proof.supports[other] = ToVec(line.nearest);
@@ -114,9 +113,7 @@ private:
         bmr_kds_proof proof;
         if (bmr_kds_get_proof(bmr_simulation_pair(m_simulation.get(), 0, nullptr, nullptr), &proof)) {
             pair.proofs.push_back(Shown(proof));
-            pair.slack = pair.proofs.back().slack;
         } else {
-            pair.slack = 0.0f;
             pair.handed_over = 1;
             pair.touching = closest.distance > 0.0 ? 0 : 1;
         }
@@ -126,7 +123,6 @@ private:
     shown::Proof Shown(const bmr_kds_proof &line) {
         const bmr_polygon *const polygons[] = {m_course.BodyOf(0).Polygon(), m_course.BodyOf(1).Polygon()};
         shown::Proof proof = LineOf(line, polygons, m_poses);
-        proof.level = std::max(line.level, 0);
         if (m_structure.hierarchy >= 0)
             AddEnvelopes(line, &proof);
         return proof;
@@ -134,9 +130,10 @@ private:
 
     /// The line of a structure with a hierarchy is one of an edge of its owner's envelope.
     void AddEnvelopes(const bmr_kds_proof &line, shown::Proof *proof) {
+        const int level = std::max(line.level, 0);
         for (int i = 0; i < 2; ++i)
-            proof->envelopes[static_cast<size_t>(i)] = NameEnvelope(i, proof->level);
-        const std::vector<bmr_vec2> &corners = m_corners.at({line.owner, LevelOf(line.owner, proof->level)});
+            proof->envelopes[static_cast<size_t>(i)] = NameEnvelope(i, level);
+        const std::vector<bmr_vec2> &corners = m_corners.at({line.owner, LevelOf(line.owner, level)});
         const double near = 1e-9 * m_course.Diameter();
         const auto isOnLine = [&](bmr_vec2 point) {
             return std::fabs(bmr_dot(line.line.normal, point) - line.line.offset) <= near;

@@ -69,12 +69,10 @@ std::vector<Run> Perform(const Experiment &experiment, const ExperimentProgress 
         common.seed = job.seed;
         common.ratioIndex = job.ratio;
         common.wantedRatio = ownMotion ? 0.0 : experiment.ratios[job.ratio];
-        MotionFile file;
         std::unique_ptr<Course> course;
         if (ownMotion) {
-            file = ReadMotionFile(experiment.motionFile);
             common.motion = experiment.motionFile;
-            course = std::make_unique<Course>(a, b, file);
+            course = std::make_unique<Course>(a, b, ReadMotionFile(experiment.motionFile));
         } else {
             const bmr_family family = experiment.motions[job.motion];
             common.motion = bmr_family_name(family);

@@ -162,7 +162,7 @@ b2DistanceOutput MeasureClosest(const b2Fixture &fixtureA, const b2Fixture &fixt
 /// A proof between the same two bodies, called the other way round.
 void Swap(shown::Proof *proof) {
     proof->owner = proof->kind == "disks" ? proof->owner : 1 - proof->owner;
-    for (auto *two : {&proof->fixtures, &proof->hulls, &proof->envelopes})
+    for (auto *two : {&proof->hulls, &proof->envelopes})
         std::swap((*two)[0], (*two)[1]);
     std::swap(proof->supports[0], proof->supports[1]);
     std::swap(proof->centres[0], proof->centres[1]);
@@ -238,7 +238,6 @@ void FrameMaker::AddProof(const b2Contact &contact, bool swapped, shown::Frame *
     shown::Pair &pair = draft->pair;
     ShownProof shown = ShowProof(contact);
     shown::Proof &proof = shown.proof;
-    pair.slack = pair.proofs.empty() ? proof.slack : std::min(pair.slack, proof.slack);
     // All that is unproved goes together, and so does what one structure proves.
     const bool alone = shown.structure == nullptr && proof.kind != "none";
     if (!alone) {

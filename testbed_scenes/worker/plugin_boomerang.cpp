@@ -9,7 +9,6 @@
 
 #include "debug/inspect.h"
 #include "debug/statistics.h"
-#include "stage.h"
 
 namespace testbed {
 namespace {
@@ -76,8 +75,6 @@ ShownProof ShowProof(const b2Contact &contact) {
     shown.structure = found.structure;
     proof.slack = found.slack;
     for (std::size_t side = 0; side < 2; ++side) {
-        if (found.fixtures[side] != nullptr)
-            proof.fixtures[side] = static_cast<int>(NumberOf(*found.fixtures[side]));
         if (proof.kind == "disks")
             proof.centres[side] = VecOf(found.supports[side]);
         else if (proof.kind == "direction")
@@ -85,7 +82,6 @@ ShownProof ShowProof(const b2Contact &contact) {
         proof.radii[side] = found.radii[side];
     }
     proof.owner = found.owner;
-    proof.level = found.level;
     proof.normal = VecOf(found.normal);
     proof.edge = {VecOf(found.edge[0]), VecOf(found.edge[1])};
     if (proof.kind != "disks" && proof.kind != "direction")

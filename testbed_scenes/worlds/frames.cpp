@@ -170,10 +170,8 @@ void WorldFrames::AddPair(const bmr_world_pair &pair, const WorldRun &run) {
     }
     SetClosest(pair, run, &record);
     const shown::Proof proof = ProofOf(pair, run);
-    if (proof.kind != "none") {
-        record.slack = proof.slack;
+    if (proof.kind != "none")
         record.proofs.push_back(proof);
-    }
     m_frame.pairs.push_back(record);
 }
 

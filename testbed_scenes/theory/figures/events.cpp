@@ -59,8 +59,7 @@ void DrawPointRun(Canvas &canvas, const Rectangle &page, const char *structure, 
     const auto polygon = std::make_shared<const Body>(EllipsePoints(24, 1.6, 1.0, 0.13));
     const auto point = std::make_shared<const Body>(std::vector<bmr_vec2>{{0.0, 0.0}});
     const bmr_vec2 from = {-3.3, 1.75}, to = {3.3, 0.55};
-    const MotionFile pass = Pass(from, to, 0.0, 0.0);
-    const Course course(polygon, point, pass);
+    const Course course(polygon, point, Pass(from, to, 0.0, 0.0));
     const Rectangle world = {-3.4, -1.25, 3.4, 2.35};
     canvas.SetPanel(page, world);
     struct Event {
@@ -149,8 +148,7 @@ void DrawPairEvents(Canvas &canvas) {
     const auto b = std::make_shared<const Body>(EllipsePoints(14, 0.9, 0.7, 0.4));
     std::map<bmr_kds_event_kind, Seen> seen;
 
-    const MotionFile pass = Pass({-3.0, 2.2}, {2.6, 1.6}, 0.3, 2.2);
-    const Course course(a, b, pass);
+    const Course course(a, b, Pass({-3.0, 2.2}, {2.6, 1.6}, 0.3, 2.2));
     Follow(course, *StructureNamed("lazy-compass"), bmr_default_kds_def(), true,
            [&seen](const bmr_simulation_event &event) {
                // A push must change the line to show anything, and a roll shows most where the line stays.

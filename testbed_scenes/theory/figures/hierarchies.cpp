@@ -138,7 +138,8 @@ void DrawDudley(Canvas &canvas, const Body &body, double radius) {
 
 void DrawDudley(Canvas &canvas) {
     const Body body(kPolygon);
-    const double radius = 2.0 * body.Diameter(), bottom = 46.0, top = canvas.Height() - 10.0;
+    const double radius = 2.0 * bmr_polygon_diameter(body.Polygon()), bottom = 46.0,
+                 top = canvas.Height() - 10.0;
     const bmr_vec2 center = body.Polygon()->center;
     const auto square = [&](double left, double half) {
         canvas.SetPanel({left, bottom, left + (top - bottom), top},
