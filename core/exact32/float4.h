@@ -188,21 +188,9 @@ FLOAT4_INLINE float4 div4(float4 a, float4 b) {
 FLOAT4_INLINE float4 abs4(float4 v) {
     return (float4)((mask4)v & 0x7fffffff);
 }
-/// The sign bit is turned in lanes 0 and 2; in 1 and 3; in 1 and 2; in 0 and 1.
-FLOAT4_INLINE float4 flip_even4(float4 v) {
-    const mask4 signs = {INT32_MIN, 0, INT32_MIN, 0};
-    return (float4)((mask4)v ^ signs);
-}
-FLOAT4_INLINE float4 flip_odd4(float4 v) {
-    const mask4 signs = {0, INT32_MIN, 0, INT32_MIN};
-    return (float4)((mask4)v ^ signs);
-}
-FLOAT4_INLINE float4 flip_inner4(float4 v) {
-    const mask4 signs = {0, INT32_MIN, INT32_MIN, 0};
-    return (float4)((mask4)v ^ signs);
-}
-FLOAT4_INLINE float4 flip_low4(float4 v) {
-    const mask4 signs = {INT32_MIN, INT32_MIN, 0, 0};
+/// The sign bits are turned where the argument is INT32_MIN, not 0.
+FLOAT4_INLINE float4 flip4_(float4 v, int32_t i, int32_t j, int32_t k, int32_t l) {
+    const mask4 signs = {i, j, k, l};
     return (float4)((mask4)v ^ signs);
 }
 
@@ -210,46 +198,6 @@ FLOAT4_INLINE float4 flip_low4(float4 v) {
 #    define splat4(v, lane) lanes4_(v, v, lane, lane, lane, lane)
 /// a's lane twice, then b's.
 #    define splat_two4(a, b, lane) lanes4_(a, b, lane, lane, (lane) + 4, (lane) + 4)
-/// 1 0 3 2
-FLOAT4_INLINE float4 swap4(float4 v) {
-    return lanes4_(v, v, 1, 0, 3, 2);
-}
-/// 2 3 0 1
-FLOAT4_INLINE float4 exchange4(float4 v) {
-    return lanes4_(v, v, 2, 3, 0, 1);
-}
-/// a0 a1 b0 b1
-FLOAT4_INLINE float4 lows4(float4 a, float4 b) {
-    return lanes4_(a, b, 0, 1, 4, 5);
-}
-/// a2 a3 b2 b3
-FLOAT4_INLINE float4 highs4(float4 a, float4 b) {
-    return lanes4_(a, b, 2, 3, 6, 7);
-}
-/// a0 a1 b2 b3
-FLOAT4_INLINE float4 low_high4(float4 a, float4 b) {
-    return lanes4_(a, b, 0, 1, 6, 7);
-}
-/// a0 a2 b0 b2
-FLOAT4_INLINE float4 evens4(float4 a, float4 b) {
-    return lanes4_(a, b, 0, 2, 4, 6);
-}
-/// a1 a3 b1 b3
-FLOAT4_INLINE float4 odds4(float4 a, float4 b) {
-    return lanes4_(a, b, 1, 3, 5, 7);
-}
-/// a0 b0 a1 b1
-FLOAT4_INLINE float4 zip_low4(float4 a, float4 b) {
-    return lanes4_(a, b, 0, 4, 1, 5);
-}
-/// a2 b2 a3 b3
-FLOAT4_INLINE float4 zip_high4(float4 a, float4 b) {
-    return lanes4_(a, b, 2, 6, 3, 7);
-}
-/// a1 a2 a3 b0
-FLOAT4_INLINE float4 slide4(float4 a, float4 b) {
-    return lanes4_(a, b, 1, 2, 3, 4);
-}
 
 FLOAT4_INLINE mask4 less4(float4 a, float4 b) {
     return a < b;
@@ -359,17 +307,9 @@ FLOAT4_INLINE float4 sqrt4(float4 v) {
 FLOAT4_INLINE float4 abs4(float4 v) {
     return of4(fabsf(v.lane[0]), fabsf(v.lane[1]), fabsf(v.lane[2]), fabsf(v.lane[3]));
 }
-FLOAT4_INLINE float4 flip_even4(float4 v) {
-    return of4(-v.lane[0], v.lane[1], -v.lane[2], v.lane[3]);
-}
-FLOAT4_INLINE float4 flip_odd4(float4 v) {
-    return of4(v.lane[0], -v.lane[1], v.lane[2], -v.lane[3]);
-}
-FLOAT4_INLINE float4 flip_inner4(float4 v) {
-    return of4(v.lane[0], -v.lane[1], -v.lane[2], v.lane[3]);
-}
-FLOAT4_INLINE float4 flip_low4(float4 v) {
-    return of4(-v.lane[0], -v.lane[1], v.lane[2], v.lane[3]);
+FLOAT4_INLINE float4 flip4_(float4 v, int32_t i, int32_t j, int32_t k, int32_t l) {
+    return of4(i ? -v.lane[0] : v.lane[0], j ? -v.lane[1] : v.lane[1], k ? -v.lane[2] : v.lane[2],
+               l ? -v.lane[3] : v.lane[3]);
 }
 
 FLOAT4_INLINE float4 splat4(float4 v, int lane) {
@@ -378,36 +318,10 @@ FLOAT4_INLINE float4 splat4(float4 v, int lane) {
 FLOAT4_INLINE float4 splat_two4(float4 a, float4 b, int lane) {
     return of4(a.lane[lane], a.lane[lane], b.lane[lane], b.lane[lane]);
 }
-FLOAT4_INLINE float4 swap4(float4 v) {
-    return of4(v.lane[1], v.lane[0], v.lane[3], v.lane[2]);
-}
-FLOAT4_INLINE float4 exchange4(float4 v) {
-    return of4(v.lane[2], v.lane[3], v.lane[0], v.lane[1]);
-}
-FLOAT4_INLINE float4 lows4(float4 a, float4 b) {
-    return of4(a.lane[0], a.lane[1], b.lane[0], b.lane[1]);
-}
-FLOAT4_INLINE float4 highs4(float4 a, float4 b) {
-    return of4(a.lane[2], a.lane[3], b.lane[2], b.lane[3]);
-}
-FLOAT4_INLINE float4 low_high4(float4 a, float4 b) {
-    return of4(a.lane[0], a.lane[1], b.lane[2], b.lane[3]);
-}
-FLOAT4_INLINE float4 evens4(float4 a, float4 b) {
-    return of4(a.lane[0], a.lane[2], b.lane[0], b.lane[2]);
-}
-FLOAT4_INLINE float4 odds4(float4 a, float4 b) {
-    return of4(a.lane[1], a.lane[3], b.lane[1], b.lane[3]);
-}
-FLOAT4_INLINE float4 zip_low4(float4 a, float4 b) {
-    return of4(a.lane[0], b.lane[0], a.lane[1], b.lane[1]);
-}
-FLOAT4_INLINE float4 zip_high4(float4 a, float4 b) {
-    return of4(a.lane[2], b.lane[2], a.lane[3], b.lane[3]);
-}
-FLOAT4_INLINE float4 slide4(float4 a, float4 b) {
-    return of4(a.lane[1], a.lane[2], a.lane[3], b.lane[0]);
-}
+/// Lanes of a (0 to 3) and of b (4 to 7).
+#    define lane_of4_(a, b, i) ((i) < 4 ? (a).lane[(i)&3] : (b).lane[(i)&3])
+#    define lanes4_(a, b, i, j, k, l)                                                                        \
+        of4(lane_of4_(a, b, i), lane_of4_(a, b, j), lane_of4_(a, b, k), lane_of4_(a, b, l))
 
 #    define BMR_EACH_LANE_(condition)                                                                        \
         mask4 r;                                                                                             \
@@ -456,6 +370,60 @@ FLOAT4_INLINE float4 keep4(mask4 m, float4 v) {
 }
 
 #endif
+
+/// The sign bit is turned in lanes 0 and 2; in 1 and 3; in 1 and 2; in 0 and 1.
+FLOAT4_INLINE float4 flip_even4(float4 v) {
+    return flip4_(v, INT32_MIN, 0, INT32_MIN, 0);
+}
+FLOAT4_INLINE float4 flip_odd4(float4 v) {
+    return flip4_(v, 0, INT32_MIN, 0, INT32_MIN);
+}
+FLOAT4_INLINE float4 flip_inner4(float4 v) {
+    return flip4_(v, 0, INT32_MIN, INT32_MIN, 0);
+}
+FLOAT4_INLINE float4 flip_low4(float4 v) {
+    return flip4_(v, INT32_MIN, INT32_MIN, 0, 0);
+}
+/// 1 0 3 2
+FLOAT4_INLINE float4 swap4(float4 v) {
+    return lanes4_(v, v, 1, 0, 3, 2);
+}
+/// 2 3 0 1
+FLOAT4_INLINE float4 exchange4(float4 v) {
+    return lanes4_(v, v, 2, 3, 0, 1);
+}
+/// a0 a1 b0 b1
+FLOAT4_INLINE float4 lows4(float4 a, float4 b) {
+    return lanes4_(a, b, 0, 1, 4, 5);
+}
+/// a2 a3 b2 b3
+FLOAT4_INLINE float4 highs4(float4 a, float4 b) {
+    return lanes4_(a, b, 2, 3, 6, 7);
+}
+/// a0 a1 b2 b3
+FLOAT4_INLINE float4 low_high4(float4 a, float4 b) {
+    return lanes4_(a, b, 0, 1, 6, 7);
+}
+/// a0 a2 b0 b2
+FLOAT4_INLINE float4 evens4(float4 a, float4 b) {
+    return lanes4_(a, b, 0, 2, 4, 6);
+}
+/// a1 a3 b1 b3
+FLOAT4_INLINE float4 odds4(float4 a, float4 b) {
+    return lanes4_(a, b, 1, 3, 5, 7);
+}
+/// a0 b0 a1 b1
+FLOAT4_INLINE float4 zip_low4(float4 a, float4 b) {
+    return lanes4_(a, b, 0, 4, 1, 5);
+}
+/// a2 b2 a3 b3
+FLOAT4_INLINE float4 zip_high4(float4 a, float4 b) {
+    return lanes4_(a, b, 2, 6, 3, 7);
+}
+/// a1 a2 a3 b0
+FLOAT4_INLINE float4 slide4(float4 a, float4 b) {
+    return lanes4_(a, b, 1, 2, 3, 4);
+}
 
 /// The least of all lanes: of 0 and 2 and of 1 and 3, then of these.
 FLOAT4_INLINE float least_of4(float4 v) {

@@ -136,7 +136,6 @@ typedef struct bmr_mixed_tiling bmr_mixed_tiling;
 bmr_error bmr_mixed_tiling_create(const bmr_mixed *mixed, const bmr_allocator *allocator,
                                   bmr_mixed_tiling **tiling);
 void bmr_mixed_tiling_destroy(bmr_mixed_tiling *tiling, const bmr_allocator *allocator);
-size_t bmr_mixed_tiling_bytes(const bmr_mixed_tiling *tiling);
 /// Tiles are 0 .. count-1, coarse before fine.
 uint32_t bmr_mixed_tiling_count(const bmr_mixed_tiling *tiling);
 const bmr_mixed_cell *bmr_mixed_tiling_cell(const bmr_mixed_tiling *tiling, uint32_t tile);

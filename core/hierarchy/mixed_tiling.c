@@ -199,9 +199,6 @@ void bmr_mixed_tiling_destroy(bmr_mixed_tiling *tiling, const bmr_allocator *all
         bmr_release(allocator, tiling, tiling->bytes);
 }
 
-size_t bmr_mixed_tiling_bytes(const bmr_mixed_tiling *tiling) {
-    return tiling->bytes;
-}
 uint32_t bmr_mixed_tiling_count(const bmr_mixed_tiling *tiling) {
     return tiling->count;
 }
