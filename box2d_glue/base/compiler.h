@@ -13,6 +13,7 @@
 /// and the plugin use no other extension; plugin/interposed has what only ELF has.
 
 #if defined(__GNUC__)
+#    define BMR_NOINLINE __attribute__((noinline))
 #    define BMR_COLD __attribute__((noinline, cold))
 #    define BMR_RARELY(condition) __builtin_expect((condition), 0)
 #    define BMR_PREFETCH(address) __builtin_prefetch(address)
@@ -22,6 +23,7 @@
 /// wherever it is read from another file.)
 #    define BMR_THREAD __thread
 #else
+#    define BMR_NOINLINE __declspec(noinline)
 #    define BMR_COLD __declspec(noinline)
 #    define BMR_RARELY(condition) (condition)
 #    define BMR_PREFETCH(address) _mm_prefetch(reinterpret_cast<const char *>(address), _MM_HINT_T0)

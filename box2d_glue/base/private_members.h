@@ -52,6 +52,7 @@ BMR_NAME_MEMBER(SolveVelocityConstraints, b2Joint, SolveVelocityConstraints,
 BMR_NAME_MEMBER(SolvePositionConstraints, b2Joint, SolvePositionConstraints,
                 bool (b2Joint::*)(const b2SolverData &));
 
+BMR_NAME_MEMBER(Tree, b2BroadPhase, m_tree, b2DynamicTree b2BroadPhase::*);
 BMR_NAME_MEMBER(JointInIsland, b2Joint, m_islandFlag, bool b2Joint::*);
 BMR_NAME_MEMBER(ContactManager, b2World, m_contactManager, b2ContactManager b2World::*);
 BMR_NAME_MEMBER(AllowSleep, b2World, m_allowSleep, bool b2World::*);

@@ -9,7 +9,7 @@
 #include "glue/impacts.h"
 #include "glue/passes.h"
 #include "solver/island_solver.h"
-#include "tree/fixture_boxes.h"
+#include "tree/edit.h"
 
 namespace bmr {
 

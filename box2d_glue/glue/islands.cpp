@@ -11,7 +11,7 @@
 #include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_table.h"
 #include "solver/island_solver.h"
-#include "tree/fixture_boxes.h"
+#include "tree/edit.h"
 
 namespace bmr {
 

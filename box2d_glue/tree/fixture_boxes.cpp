@@ -2,7 +2,7 @@
 // For polygons and circles both poses are done at once, in registers, in the order of
 // b2PolygonShape::ComputeAABB, and for big ConvexShapes as in theirs; and most leaves, which stay, are
 // recognised here.
-#include "tree/fixture_boxes.h"
+#include "tree/edit.h"
 
 #include <cstring>
 
@@ -17,7 +17,7 @@
 #include "base/rounding_mode.h"
 #include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
-#include "tree/box.h"
+#include "start/settings.h"
 
 namespace bmr::tree {
 
@@ -116,6 +116,15 @@ bool IsFinite(const Swept &swept) {
     return HasNumbers(sub4(swept.around, swept.around)) && HasNumbers(swept.displacement);
 }
 
+/// b2BroadPhase::MoveProxy. Box2D's own is asked for boxes that are not finite.
+void MoveProxy(b2BroadPhase *broadPhase, const b2FixtureProxy &proxy, const b2Vec2 &displacement) {
+    bool moved;
+    if (!MoveHere(broadPhase->*Named(Tree()), proxy.proxyId, proxy.aabb, displacement, &moved))
+        broadPhase->MoveProxy(proxy.proxyId, proxy.aabb, displacement);
+    else if (moved)
+        broadPhase->TouchProxy(proxy.proxyId);
+}
+
 /// Of a shape that has one proxy and corners. False where nothing is done.
 bool SynchronizeCorners(const b2Shape &shape, b2FixtureProxy *proxy, b2BroadPhase *broadPhase,
                         const b2Transform &xf1, const b2Transform &xf2) {
@@ -131,7 +140,7 @@ bool SynchronizeCorners(const b2Shape &shape, b2FixtureProxy *proxy, b2BroadPhas
     if (!Stays(BoxOf(broadPhase->GetFatAABB(proxy->proxyId)), swept.around)) {
         b2Vec2 displacement;
         store_low4(&displacement.x, swept.displacement);
-        broadPhase->MoveProxy(proxy->proxyId, proxy->aabb, displacement);
+        MoveProxy(broadPhase, *proxy, displacement);
     }
     return true;
 }
@@ -150,7 +159,7 @@ void SynchronizeBoxes(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Tran
         shape.ComputeAABB(&first, xf1, proxies[i].childIndex);
         shape.ComputeAABB(&second, xf2, proxies[i].childIndex);
         proxies[i].aabb.Combine(first, second);
-        broadPhase->MoveProxy(proxies[i].proxyId, proxies[i].aabb, second.GetCenter() - first.GetCenter());
+        MoveProxy(broadPhase, proxies[i], second.GetCenter() - first.GetCenter());
     }
 }
 

@@ -23,6 +23,7 @@
     FUNCTION(_ZN12b2BroadPhase11CreateProxyERK6b2AABBPv) \
     FUNCTION(_ZN12b2BroadPhase12DestroyProxyEi) \
     FUNCTION(_ZN12b2BroadPhase13QueryCallbackEi) \
+    FUNCTION(_ZN12b2BroadPhase10TouchProxyEi) \
     FUNCTION(_ZN12b2BroadPhase9MoveProxyEiRK6b2AABBRK6b2Vec2) \
     FUNCTION(_ZN14b2PolygonShape3SetEPK6b2Vec2i) \
     FUNCTION(_ZNK12b2ChainShape12GetChildEdgeEP11b2EdgeShapei) \

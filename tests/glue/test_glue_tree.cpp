@@ -1,10 +1,322 @@
 // SPDX-License-Identifier: MIT
-// Proxies that go down the tree together find what Box2D's own query finds for each, in its order.
+// Leaves put into a tree of boxes, taken out and moved by the plugin's code, and by Box2D's: after each
+// operation the two trees are the same to the bit, and so are their lists of free nodes.
 #include <box2d/box2d.h>
 
 #include "box2d_shapes.h"
 #include "cases.h"
-#include "tree/pair_descent.h"
+#include "random.h"
+#include "tree/edit.h"
+#if !defined(BMR_FLOAT4_PLAIN)
+#    include "tree/pair_descent.h"
+#endif
+
+// --- Random operations on trees of boxes, and all that is in a tree.
+
+namespace treeplay {
+
+/// All members of a tree.
+struct Contents {
+    const b2TreeNode *nodes;
+    int32 root, nodeCount, capacity, freeList, insertionCount;
+};
+
+} // namespace treeplay
+
+template <> inline void b2DynamicTree::Query(treeplay::Contents *out, const b2AABB &) const {
+    *out = {m_nodes, m_root, m_nodeCount, m_nodeCapacity, m_freeList, m_insertionCount};
+}
+
+namespace treeplay {
+
+inline Contents ContentsOf(const b2DynamicTree &tree) {
+    Contents contents;
+    tree.Query(&contents, b2AABB());
+    return contents;
+}
+
+/// Calls `take(word)` for all bits of a tree: members, and every field of every node in use, and the list of
+/// those that are not. (Box2D leaves the other fields of nodes that it never handed out as malloc gave them.)
+template <typename Take> void EachWord(const b2DynamicTree &tree, const Take &take) {
+    const Contents contents = ContentsOf(tree);
+    for (const int32 member :
+         {contents.root, contents.nodeCount, contents.capacity, contents.freeList, contents.insertionCount})
+        take(static_cast<uint32_t>(member));
+    for (int32 id = 0; id < contents.capacity; ++id) {
+        const b2TreeNode &node = contents.nodes[id];
+        take(static_cast<uint32_t>(node.next));
+        take(static_cast<uint32_t>(node.height));
+        if (node.height < 0)
+            continue;
+        uint32_t words[sizeof node.aabb / sizeof(uint32_t)];
+        std::memcpy(words, &node.aabb, sizeof words);
+        for (const uint32_t word : words)
+            take(word);
+        take(static_cast<uint32_t>(node.child1));
+        take(static_cast<uint32_t>(node.child2));
+        take(static_cast<uint32_t>(reinterpret_cast<uintptr_t>(node.userData)));
+        take(static_cast<uint32_t>(node.moved));
+    }
+}
+
+inline std::vector<uint32_t> BitsOf(const b2DynamicTree &tree) {
+    std::vector<uint32_t> bits;
+    EachWord(tree, [&bits](uint32_t word) { bits.push_back(word); });
+    return bits;
+}
+
+/// What boxes a tree is played with.
+enum class Boxes {
+    kScattered,  ///< small boxes in a square
+    kGrid,       ///< whole numbers: costs tie, zeros are bounds
+    kClusters,   ///< many over each other, as of the fixtures of one body
+    kSorted,     ///< each to the right of the one before: trees that must be turned
+    kDegenerate, ///< points, lines, and boxes whose lower bound is the upper
+    kExtreme,    ///< denormals, zeros of both signs, and numbers whose perimeters overflow
+    kNumberless, ///< small boxes; now and then a bound is no number
+    kWild        ///< any bits: infinities and numbers that are none among them
+};
+constexpr Boxes kAllBoxes[] = {Boxes::kScattered,  Boxes::kGrid,    Boxes::kClusters,   Boxes::kSorted,
+                               Boxes::kDegenerate, Boxes::kExtreme, Boxes::kNumberless, Boxes::kWild};
+
+class Player {
+public:
+    Player(uint32_t seed, Boxes boxes, int32 mostLeaves)
+        : m_random{seed}, m_boxes(boxes), m_mostLeaves(mostLeaves) {}
+
+    /// One random operation: `Proxies` has Create, Destroy and Move, as b2DynamicTree.
+    template <typename Proxies> void Play(b2DynamicTree *tree, Proxies *proxies) {
+        const uint32_t what = Random() % 100;
+        const auto count = static_cast<int32>(m_leaves.size());
+        // It grows for a while, and shrinks for a while.
+        const uint32_t creates = m_growing ? 40 : 5;
+        if (count == 0 || (what < creates && count < m_mostLeaves)) {
+            m_leaves.push_back(
+                proxies->Create(tree, Box(), reinterpret_cast<void *>(static_cast<uintptr_t>(++m_made))));
+        } else if (what < 45) {
+            const size_t place = Random() % m_leaves.size();
+            proxies->Destroy(tree, m_leaves[place]);
+            m_leaves[place] = m_leaves.back();
+            m_leaves.pop_back();
+        } else if (what < 99) {
+            Move(tree, proxies);
+        } else {
+            Rare(tree);
+        }
+        if (count >= m_mostLeaves)
+            m_growing = false;
+        else if (count == 0)
+            m_growing = true;
+    }
+
+    /// How many calls of Move moved something.
+    size_t Moved() const { return m_moved; }
+
+private:
+    /// To anywhere, or a little away from where it is.
+    template <typename Proxies> void Move(b2DynamicTree *tree, Proxies *proxies) {
+        const int32 leaf = m_leaves[Random() % m_leaves.size()];
+        b2AABB box = Box();
+        if (Random() % 4 != 0) {
+            const b2Vec2 by(Uniform(-0.4f, 0.4f), Uniform(-0.4f, 0.4f));
+            box = tree->GetFatAABB(leaf);
+            box.lowerBound += by + b2Vec2(0.1f, 0.1f);
+            box.upperBound += by - b2Vec2(0.1f, 0.1f);
+        }
+        const b2Vec2 displacement(Number(0.5f), Number(0.5f));
+        m_moved += proxies->Move(tree, leaf, box, displacement) ? 1 : 0;
+        if (Random() % 3 == 0)
+            tree->ClearMoved(leaf);
+    }
+
+    void Rare(b2DynamicTree *tree) {
+        const bool finite =
+            m_boxes != Boxes::kWild && m_boxes != Boxes::kNumberless && m_boxes != Boxes::kExtreme;
+        if (Random() % 2 == 0)
+            tree->ShiftOrigin({Number(3.0f), Number(3.0f)});
+        else if (finite && m_leaves.size() <= 40) // (cubic, and for finite costs)
+            tree->RebuildBottomUp();
+    }
+
+    uint32_t Random() { return static_cast<uint32_t>(test_random_next(&m_random)); }
+
+    float Uniform(float least, float most) {
+        return least + (most - least) * (static_cast<float>(Random() >> 8) * 0x1p-24f);
+    }
+
+    /// A coordinate about so far from zero.
+    float Number(float size) {
+        constexpr float kExtremes[] = {0.0f,   -0.0f,   1e-40f, -1e-42f, 1e-30f, 3e38f,
+                                       -3e38f, 1.5e38f, -1e38f, 1.0f,    -2.0f,  0.1f};
+        if (m_boxes == Boxes::kWild && Random() % 12 == 0) {
+            const uint32_t bits = Random() % 3 == 0 ? 0x7f800000u | (Random() & 0x80000000u) : Random();
+            float number;
+            std::memcpy(&number, &bits, sizeof number);
+            return number;
+        }
+        if (m_boxes == Boxes::kNumberless && Random() % 60 == 0)
+            return std::nanf("");
+        if (m_boxes == Boxes::kExtreme && Random() % 3 == 0)
+            return kExtremes[Random() % (sizeof kExtremes / sizeof *kExtremes)];
+        const float number = Uniform(-size, size);
+        return m_boxes == Boxes::kGrid ? std::floor(number) : number;
+    }
+
+    b2AABB Box() {
+        b2Vec2 at(Number(20.0f), Number(20.0f)), size(std::abs(Number(1.5f)), std::abs(Number(1.5f)));
+        if (m_boxes == Boxes::kClusters) {
+            const auto cluster = static_cast<float>(Random() % 5);
+            at = b2Vec2(8.0f * cluster, 3.0f * cluster) + 0.05f * at;
+        } else if (m_boxes == Boxes::kSorted) {
+            at.Set(static_cast<float>(m_made), 0.0f);
+        } else if (m_boxes == Boxes::kDegenerate) {
+            const uint32_t how = Random() % 4;
+            size.Set(how == 0 ? 0.0f : size.x, how <= 1 ? 0.0f : how == 2 ? -size.y : size.y);
+        }
+        b2AABB box;
+        box.lowerBound = at;
+        box.upperBound = at + size;
+        return box;
+    }
+
+    test_random m_random;
+    const Boxes m_boxes;
+    const int32 m_mostLeaves;
+    std::vector<int32> m_leaves;
+    uint32_t m_made = 0;
+    size_t m_moved = 0;
+    bool m_growing = true;
+};
+
+/// b2DynamicTree's own.
+struct OfBox2D {
+    static int32 Create(b2DynamicTree *tree, const b2AABB &box, void *userData) {
+        return tree->CreateProxy(box, userData);
+    }
+    static void Destroy(b2DynamicTree *tree, int32 leaf) { tree->DestroyProxy(leaf); }
+    static bool Move(b2DynamicTree *tree, int32 leaf, const b2AABB &box, const b2Vec2 &displacement) {
+        return tree->MoveProxy(leaf, box, displacement);
+    }
+};
+
+} // namespace treeplay
+
+namespace {
+
+using namespace bmr::tree;
+
+/// As the hooks do it: what is not done here is Box2D's.
+struct Ours {
+    size_t here = 0, box2d = 0;
+
+    int32 Create(b2DynamicTree *tree, const b2AABB &box, void *userData) {
+        int32 leaf;
+        if (Counted(CreateHere(*tree, box, userData, &leaf)))
+            return leaf;
+        return tree->CreateProxy(box, userData);
+    }
+    void Destroy(b2DynamicTree *tree, int32 leaf) {
+        if (!Counted(DestroyHere(*tree, leaf)))
+            tree->DestroyProxy(leaf);
+    }
+    bool Move(b2DynamicTree *tree, int32 leaf, const b2AABB &box, const b2Vec2 &displacement) {
+        bool moved;
+        if (Counted(MoveHere(*tree, leaf, box, displacement, &moved)))
+            return moved;
+        return tree->MoveProxy(leaf, box, displacement);
+    }
+
+private:
+    bool Counted(bool done) {
+        ++(done ? here : box2d);
+        return done;
+    }
+};
+
+struct Round {
+    treeplay::Boxes boxes;
+    int32 mostLeaves;
+    size_t operations;
+};
+
+/// Small trees, whose every shape comes up, and larger ones.
+template <typename Play> void EachRound(const Play &play) {
+    for (const treeplay::Boxes boxes : treeplay::kAllBoxes) {
+        for (const Round &round : {Round{boxes, 5, 2000}, Round{boxes, 40, 4000}, Round{boxes, 300, 4000}}) {
+            for (uint32_t seed = 1; seed <= test_scaled(3); ++seed) {
+                INFO("boxes ", static_cast<int>(boxes), ", leaves ", round.mostLeaves, ", seed ", seed);
+                Round scaled = round;
+                scaled.operations = std::max(round.operations / 6, test_scaled(round.operations));
+                play(scaled, seed);
+            }
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("after each operation the tree is Box2D's, to the bit") {
+    size_t here = 0, moved = 0;
+    EachRound([&](const Round &round, uint32_t seed) {
+        b2DynamicTree stock, ours;
+        treeplay::Player stockPlayer(seed, round.boxes, round.mostLeaves),
+            ourPlayer(seed, round.boxes, round.mostLeaves);
+        treeplay::OfBox2D ofBox2D;
+        Ours proxies;
+        for (size_t i = 0; i < round.operations; ++i) {
+            stockPlayer.Play(&stock, &ofBox2D);
+            ourPlayer.Play(&ours, &proxies);
+            const bool same = treeplay::BitsOf(stock) == treeplay::BitsOf(ours);
+            if (!same)
+                REQUIRE_MESSAGE(same, "operation ", i);
+        }
+        REQUIRE(proxies.here > 0);
+        CHECK((round.boxes == treeplay::Boxes::kWild || round.boxes == treeplay::Boxes::kExtreme ||
+               round.boxes == treeplay::Boxes::kNumberless || proxies.here > 8 * proxies.box2d));
+        here += proxies.here;
+        moved += ourPlayer.Moved();
+    });
+    CHECK(here > moved);
+    CHECK(moved > 0);
+}
+
+TEST_CASE("ids of no leaf in the tree are Box2D's to assert on") {
+    b2DynamicTree tree;
+    b2AABB box;
+    box.lowerBound.SetZero();
+    box.upperBound.Set(1.0f, 1.0f);
+    const int32 a = tree.CreateProxy(box, nullptr), b = tree.CreateProxy(box, nullptr);
+    const int32 parent = *MembersOf(tree).root;
+    tree.DestroyProxy(b);
+    const std::vector<uint32_t> before = treeplay::BitsOf(tree);
+    bool moved;
+    for (const int32 id : {-1, b, parent, 15, 16, 1 << 30}) {
+        CHECK_FALSE(DestroyHere(tree, id));
+        CHECK_FALSE(MoveHere(tree, id, box, b2Vec2(50.0f, 0.0f), &moved));
+    }
+    CHECK(treeplay::BitsOf(tree) == before);
+    box.upperBound.Set(9.0f, 9.0f);
+    CHECK(MoveHere(tree, a, box, b2Vec2(50.0f, 0.0f), &moved));
+    CHECK(moved);
+}
+
+TEST_CASE("Box2D alone makes its array of nodes larger") {
+    b2DynamicTree tree;
+    b2AABB box;
+    box.lowerBound.SetZero();
+    box.upperBound.Set(1.0f, 1.0f);
+    int32 id = 0, made = 0;
+    const TreeMembers members = MembersOf(tree);
+    while (CreateHere(tree, box, nullptr, &id))
+        ++made;
+    CHECK(made == 8); // and seven parents: one node is left
+    CHECK(MembersOf(tree).nodes == members.nodes);
+    CHECK(*members.nodeCount == 15);
+}
+
+#if !defined(BMR_FLOAT4_PLAIN)
+
+// --- Proxies that go down the tree together find what Box2D's own query finds for each, in its order.
 
 namespace {
 
@@ -117,3 +429,5 @@ TEST_CASE("proxies that go down the tree together find what each finds alone, in
     CHECK(found > 0);
     CHECK(most > 1024); // the proxies of one step, which go down in two parts
 }
+
+#endif

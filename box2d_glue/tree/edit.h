@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: MIT
+#ifndef BOOMERANG_TREE_EDIT_H
+#define BOOMERANG_TREE_EDIT_H
+
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+#include "base/compiler.h"
+#include "tree/box.h"
+
+class b2Body;
+class b2BroadPhase;
+class b2Fixture;
+
+/// @file
+/// Leaves are put into a b2DynamicTree, taken out and moved as Box2D does it: every field of every node, the
+/// list of free nodes and the tree's own members are left with the same bits.
+
+namespace bmr::tree {
+
+/// The private members of a tree: b2DynamicTree::Query is instantiated for this, and hands them out.
+struct TreeMembers {
+    b2TreeNode *nodes;
+    int32 capacity;
+    int32 *root, *nodeCount, *freeList, *insertionCount;
+};
+
+} // namespace bmr::tree
+
+template <> inline void b2DynamicTree::Query(bmr::tree::TreeMembers *out, const b2AABB &) const {
+    auto *self = const_cast<b2DynamicTree *>(this);
+    *out = {m_nodes,           m_nodeCapacity,         &self->m_root, &self->m_nodeCount,
+            &self->m_freeList, &self->m_insertionCount};
+}
+
+namespace bmr::tree {
+
+inline TreeMembers MembersOf(const b2DynamicTree &tree) {
+    TreeMembers members;
+    tree.Query(&members, b2AABB());
+    return members;
+}
+
+/// A node on the way down, the perimeter of its box, and that of the box around it and the leaf.
+///
+/// Box2D computes both twice: for a child, and again once it is there. Here they are computed once. They are
+/// the same numbers, but for the sign of a zero, which no comparison sees, and but for a box that has a NaN
+/// in it: b2Min and b2Max give their second operand there, which is the leaf's in one of the two. But then
+/// the perimeter of the node's own box is NaN both times, with it both costs of going on are, and Box2D goes
+/// on to the second child for any `around`.
+struct Place {
+    int32 id;
+    float area, around;
+};
+
+/// The costs that InsertLeaf compares at a node.
+class Costs {
+public:
+    explicit Costs(const Place &place)
+        : m_here(2.0f * place.around), m_inherited(2.0f * (place.around - place.area)) {}
+
+    /// Of going on to a child. The leaf's new parent takes a leaf's place: all of its perimeter counts. (What
+    /// zero is taken from stays as it is.)
+    float Below(const Place &child, const b2TreeNode &node) const {
+        return (child.around - (node.IsLeaf() ? 0.0f : child.area)) + m_inherited;
+    }
+
+    bool EndHere(float cost1, float cost2) const { return m_here < cost1 && m_here < cost2; }
+
+private:
+    float m_here, m_inherited;
+};
+
+/// What b2DynamicTree does to its nodes.
+class TreeEdit {
+public:
+    explicit TreeEdit(const TreeMembers &tree) : m_tree(tree), m_nodes(tree.nodes) {}
+
+    /// Is this a leaf that is in the tree? Box2D asserts that it is one. (A node that is free has a height
+    /// below 0.)
+    bool HasLeaf(int32 id) const {
+        return 0 <= id && id < m_tree.capacity && m_nodes[id].IsLeaf() && m_nodes[id].height == 0;
+    }
+
+    /// Are there two nodes for the next leaf, it and a parent? Where there are not, Box2D's allocator is
+    /// asked for more.
+    bool HasRoom() const {
+        return *m_tree.freeList != b2_nullNode && m_nodes[*m_tree.freeList].next != b2_nullNode;
+    }
+
+    /// The rest of b2DynamicTree::CreateProxy; `fat` is finite. HasRoom().
+    int32 Create(const b2AABB &fat, void *userData) {
+        const int32 leaf = Allocate();
+        b2TreeNode &node = m_nodes[leaf];
+        node.aabb = fat;
+        node.userData = userData;
+        node.moved = true;
+        PutIn(leaf);
+        return leaf;
+    }
+
+    /// b2DynamicTree::DestroyProxy of a leaf that is in the tree.
+    void Destroy(int32 leaf) {
+        if (leaf == *m_tree.root)
+            *m_tree.root = b2_nullNode;
+        else
+            Refit(TakeOut(leaf));
+        Free(leaf);
+    }
+
+    /// The rest of b2DynamicTree::MoveProxy of a leaf that is in the tree; `fat` is finite. Taking the leaf
+    /// out frees the node that putting it in asks for.
+    void Move(int32 leaf, const b2AABB &fat) {
+        b2TreeNode &node = m_nodes[leaf];
+        node.aabb = fat;
+        node.moved = true;
+        if (leaf == *m_tree.root) {
+            InsertRoot(leaf);
+            return;
+        }
+        Refit(TakeOut(leaf));
+        PutIn(leaf);
+    }
+
+private:
+    void PutIn(int32 leaf) {
+        const LeafBox box(BoxOf(m_nodes[leaf].aabb));
+        if (*m_tree.root == b2_nullNode)
+            InsertRoot(leaf);
+        else
+            Insert(leaf, FindSibling(box, Root(box)));
+    }
+
+    int32 Allocate() {
+        const int32 id = *m_tree.freeList;
+        b2TreeNode &node = m_nodes[id];
+        *m_tree.freeList = node.next;
+        node.parent = b2_nullNode;
+        node.child1 = b2_nullNode;
+        node.child2 = b2_nullNode;
+        node.height = 0;
+        node.userData = nullptr;
+        node.moved = false;
+        ++*m_tree.nodeCount;
+        return id;
+    }
+
+    void Free(int32 id) {
+        b2TreeNode &node = m_nodes[id];
+        node.next = *m_tree.freeList;
+        node.height = -1;
+        *m_tree.freeList = id;
+        --*m_tree.nodeCount;
+    }
+
+    /// `parent` has `now` for a child, where it had `before`; without a parent that is the tree's root.
+    void Replace(int32 parent, int32 before, int32 now) {
+        if (parent == b2_nullNode) {
+            *m_tree.root = now;
+            return;
+        }
+        b2TreeNode &node = m_nodes[parent];
+        (node.child1 == before ? node.child1 : node.child2) = now;
+    }
+
+    /// From a place on, down to whom b2DynamicTree::InsertLeaf makes the leaf's sibling.
+    /// (Nodes in between are asked for two levels ahead, both ways.)
+    int32 FindSibling(const LeafBox &leaf, Place place) const {
+        while (!m_nodes[place.id].IsLeaf()) {
+            const int32 id1 = m_nodes[place.id].child1, id2 = m_nodes[place.id].child2;
+            const b2TreeNode &child1 = m_nodes[id1], &child2 = m_nodes[id2];
+            for (const int32 next : {child1.child1, child1.child2, child2.child1, child2.child2})
+                PrefetchNode(m_nodes, next);
+            const Perimeters of = leaf.With(BoxOf(child1.aabb), BoxOf(child2.aabb));
+            const Place first = {id1, of.first, of.aroundFirst}, second = {id2, of.second, of.aroundSecond};
+            const Costs costs(place);
+            const float cost1 = costs.Below(first, child1), cost2 = costs.Below(second, child2);
+            if (costs.EndHere(cost1, cost2))
+                break;
+            place = cost1 < cost2 ? first : second;
+        }
+        return place.id;
+    }
+
+    Place Root(const LeafBox &leaf) const {
+        const int32 root = *m_tree.root;
+        const Box box = BoxOf(m_nodes[root].aabb);
+        const Perimeters of = leaf.With(box, box);
+        return {root, of.first, of.aroundFirst};
+    }
+
+    /// The leaf alone is the tree, which was empty.
+    void InsertRoot(int32 leaf) {
+        ++*m_tree.insertionCount;
+        *m_tree.root = leaf;
+        m_nodes[leaf].parent = b2_nullNode;
+    }
+
+    void Insert(int32 leaf, int32 sibling) {
+        ++*m_tree.insertionCount;
+        const int32 above = m_nodes[sibling].parent, parent = Allocate();
+        b2TreeNode &node = m_nodes[parent];
+        node.parent = above;
+        node.height = m_nodes[sibling].height + 1;
+        node.child1 = sibling;
+        node.child2 = leaf; // its box comes with Refit
+        Replace(above, sibling, parent);
+        m_nodes[sibling].parent = parent;
+        m_nodes[leaf].parent = parent;
+        Refit(parent);
+    }
+
+    /// Not of the leaf that alone is the tree. Returns the node above its parent, if there is one.
+    int32 TakeOut(int32 leaf) {
+        const int32 parent = m_nodes[leaf].parent, above = m_nodes[parent].parent;
+        const int32 sibling =
+            m_nodes[parent].child1 == leaf ? m_nodes[parent].child2 : m_nodes[parent].child1;
+        Replace(above, parent, sibling);
+        m_nodes[sibling].parent = above;
+        Free(parent);
+        return above;
+    }
+
+    /// From here up to the root, nodes are balanced and given the boxes and heights that their children say.
+    void Refit(int32 id) {
+        while (id != b2_nullNode) {
+            b2TreeNode *node = &m_nodes[id];
+            const int32 balance = m_nodes[node->child2].height - m_nodes[node->child1].height;
+            if ((balance > 1 || balance < -1) && node->height >= 2) {
+                id = balance > 1 ? RaiseSecond(id) : RaiseFirst(id);
+                node = &m_nodes[id];
+            }
+            Combine(node, m_nodes[node->child1], m_nodes[node->child2]);
+            id = node->parent;
+        }
+    }
+
+    // Balance: a node's higher child takes its place, and the node becomes that one's first child. The higher
+    // one of its children stays with it, the other one goes to the node.
+
+    int32 RaiseSecond(int32 idA) {
+        b2TreeNode &a = m_nodes[idA];
+        const int32 idC = a.child2;
+        b2TreeNode &c = m_nodes[idC];
+        int32 stays = c.child1, goes = c.child2;
+        Raise(idA, idC, &stays, &goes);
+        a.child2 = goes;
+        Combine(&a, m_nodes[a.child1], m_nodes[goes]);
+        Combine(&c, a, m_nodes[stays]);
+        return idC;
+    }
+
+    int32 RaiseFirst(int32 idA) {
+        b2TreeNode &a = m_nodes[idA];
+        const int32 idB = a.child1;
+        b2TreeNode &b = m_nodes[idB];
+        int32 stays = b.child1, goes = b.child2;
+        Raise(idA, idB, &stays, &goes);
+        a.child1 = goes;
+        Combine(&a, m_nodes[a.child2], m_nodes[goes]); // in this order
+        Combine(&b, a, m_nodes[stays]);
+        return idB;
+    }
+
+    void Raise(int32 id, int32 raised, int32 *stays, int32 *goes) {
+        b2TreeNode &node = m_nodes[id], &higher = m_nodes[raised];
+        if (!(m_nodes[*stays].height > m_nodes[*goes].height))
+            std::swap(*stays, *goes);
+        higher.parent = node.parent;
+        higher.child1 = id;
+        higher.child2 = *stays;
+        node.parent = raised;
+        Replace(higher.parent, id, raised);
+        m_nodes[*goes].parent = id;
+    }
+
+    static void Combine(b2TreeNode *node, const b2TreeNode &first, const b2TreeNode &second) {
+        StoreBox(&node->aabb, Around(BoxOf(first.aabb), BoxOf(second.aabb)));
+        node->height = 1 + b2Max(first.height, second.height);
+    }
+
+    TreeMembers m_tree;
+    b2TreeNode *m_nodes;
+};
+
+// b2DynamicTree::CreateProxy, DestroyProxy and MoveProxy: the same tree by the same arithmetic, with boxes
+// in registers and without a call for each node that is balanced. Box2D's own function is to be asked for ids
+// that are none of a leaf in the tree, on which it asserts; for boxes that are not finite; and where Box2D's
+// array of nodes must grow. Rounding is to nearest, as Box2D's.
+
+inline bool IsFinite(const b2AABB &box) {
+    return std::isfinite(box.lowerBound.x) && std::isfinite(box.lowerBound.y) &&
+           std::isfinite(box.upperBound.x) && std::isfinite(box.upperBound.y);
+}
+
+inline b2AABB Larger(const b2AABB &aabb, const b2Vec2 &margin) {
+    b2AABB larger;
+    larger.lowerBound = aabb.lowerBound - margin;
+    larger.upperBound = aabb.upperBound + margin;
+    return larger;
+}
+
+/// The box of a new leaf.
+inline b2AABB Fat(const b2AABB &aabb) {
+    return Larger(aabb, b2Vec2(b2_aabbExtension, b2_aabbExtension));
+}
+
+/// Along one axis a box is made longer by what the displacement foretells.
+inline void Foretell(float displacement, float *lower, float *upper) {
+    const float d = b2_aabbMultiplier * displacement;
+    if (d < 0.0f)
+        *lower += d;
+    else
+        *upper += d;
+}
+
+/// Does the leaf's box hold the proxy's, and is it not much too large?
+inline bool Stays(const b2AABB &leaf, const b2AABB &aabb, const b2AABB &fat) {
+    return leaf.Contains(aabb) &&
+           Larger(fat, 4.0f * b2Vec2(b2_aabbExtension, b2_aabbExtension)).Contains(leaf);
+}
+
+// Each of these says whether it did it. Where it did not, nothing was written.
+
+inline bool CreateHere(const b2DynamicTree &tree, const b2AABB &aabb, void *userData, int32 *id) {
+    TreeEdit edit(MembersOf(tree));
+    const b2AABB fat = Fat(aabb);
+    if (!IsFinite(fat) || !edit.HasRoom())
+        return false;
+    *id = edit.Create(fat, userData);
+    return true;
+}
+
+inline bool DestroyHere(const b2DynamicTree &tree, int32 id) {
+    TreeEdit edit(MembersOf(tree));
+    if (!edit.HasLeaf(id))
+        return false;
+    edit.Destroy(id);
+    return true;
+}
+
+BMR_NOINLINE inline void MoveLeaf(const b2DynamicTree &tree, int32 id, const b2AABB &fat) {
+    TreeEdit(MembersOf(tree)).Move(id, fat);
+}
+
+inline bool MoveHere(const b2DynamicTree &tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement,
+                     bool *moved) {
+    const TreeMembers members = MembersOf(tree);
+    b2AABB fat = Fat(aabb);
+    Foretell(displacement.x, &fat.lowerBound.x, &fat.upperBound.x);
+    Foretell(displacement.y, &fat.lowerBound.y, &fat.upperBound.y);
+    if (!IsFinite(fat) || !TreeEdit(members).HasLeaf(id))
+        return false;
+    *moved = !Stays(members.nodes[id].aabb, aabb, fat);
+    if (*moved) // most stay, and need no edit
+        MoveLeaf(tree, id, fat);
+    return true;
+}
+
+/// b2Fixture::Synchronize: after a step each fixture's box is set anew, around where it was and where it is,
+/// and its leaf of the tree moves if it must. Rounding is to nearest.
+void SynchronizeBoxes(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
+                      const b2Transform &xf2);
+
+/// b2Body::SynchronizeFixtures: the same of all its fixtures, from the beginning of its sweep on if it is
+/// awake. In any rounding.
+void SynchronizeBoxes(b2Body *body);
+
+} // namespace bmr::tree
+
+#endif
