@@ -23,8 +23,8 @@ struct Body {
 
 test_kds_body RandomBody(test_random *random, double shift) {
     const auto family = static_cast<test_family>(test_random_below(random, TEST_FAMILY_COUNT));
-    return test_kds_body_make_scaled(test_polygon(family, 3 + test_random_below(random, 6), random), 1.0,
-                                     shift);
+    bmr_polygon *polygon = test_polygon(family, 3 + test_random_below(random, 6), random);
+    return test_kds_body_make(test_moved_polygon(polygon, 1.0, {shift, shift}));
 }
 
 test_kds_body OtherBody(bmr_kds_domain domain, test_random *random, double shift) {
@@ -114,8 +114,8 @@ void LookAtBorder(const bmr_kds_info *info, test_random *random, Border *border)
     };
     const double scale = power(-8.0, 6.0);
     const auto scaled = [&](test_family family) {
-        return Body(test_kds_body_make_scaled(test_polygon(family, 3 + test_random_below(random, 6), random),
-                                              scale, 0.0));
+        bmr_polygon *polygon = test_polygon(family, 3 + test_random_below(random, 6), random);
+        return Body(test_kds_body_make(test_moved_polygon(polygon, scale, {0.0, 0.0})));
     };
     const Body a = scaled(TEST_CIRCLE), b = info->domain == BMR_KDS_POINT
                                                 ? Body(test_kds_point_make(scale, 0.3 * scale))

@@ -190,21 +190,6 @@ TEST(audits_find_a_stale_proof) {
         }
 }
 
-/// Of any family and size, a point and a segment among them.
-static test_kds_body any_body(test_random *random) {
-    const size_t sizes[] = {3, 4, 6, 11, 24, 64};
-    const test_family family = (test_family)test_random_below(random, TEST_FAMILY_COUNT);
-    const uint32_t choice = test_random_below(random, 16);
-    if (choice == 0)
-        return test_kds_point_make(0.5, 0.25);
-    if (choice == 1) {
-        const bmr_vec2 ends[2] = {{-0.7, 0.1}, {0.9, test_random_uniform(random, -1.0, 1.0)}};
-        return test_kds_body_make(made_polygon(ends, 2));
-    }
-    const size_t n = sizes[test_random_below(random, sizeof sizes / sizeof *sizes)];
-    return test_kds_body_make(test_polygon(family, n, random));
-}
-
 /// The memory that is set aside for an explicit Minkowski sum (section 5) is enough for every rotation, and
 /// linear.
 TEST(the_sum_fits_its_block_at_every_rotation) {
@@ -213,7 +198,7 @@ TEST(the_sum_fits_its_block_at_every_rotation) {
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
         for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k) {
             own_kds_body a = test_kds_body_make(test_polygon((test_family)family, sizes[k], &random));
-            own_kds_body b = any_body(&random);
+            own_kds_body b = test_kds_body_make(test_any_polygon(64, &random));
             const bmr_kds_def def = bmr_default_kds_def();
             own_kds *kds = made_kds(test_structure("sum-triangle-dudley"), &def, &a.shape, &b.shape);
             const double n = a.polygon->count + b.polygon->count;

@@ -56,32 +56,9 @@ static bmr_polygon *box(double half_width, double half_height) {
     return made_polygon(points, test_box_points(half_width, half_height, points));
 }
 
-typedef struct couple {
-    test_body body[2];
-    bmr_shape a, b;
-    bmr_pair_def def;
-    bmr_pair pair;
-    bmr_counters counters;
-} couple;
-
-static void couple_make(couple *c, bmr_structure structure, bmr_polygon *a, bmr_polygon *b) {
-    *c = (couple){.body = {test_body_make(a, structure), test_body_make(b, structure)},
-                  .def = bmr_default_pair_def()};
-    c->a = test_body_shape(&c->body[0]);
-    c->b = test_body_shape(&c->body[1]);
-    c->def.structure = structure;
-    bmr_pair_init(&c->pair);
-}
-static void couple_destroy(couple *c) {
-    test_body_destroy(&c->body[0]);
-    test_body_destroy(&c->body[1]);
-}
-#define own_couple OWNED(couple_destroy) couple
-
-static bmr_answer couple_advance(couple *c, bmr_pose q) {
-    const bmr_observer observer = {&c->counters, NULL, NULL};
-    const bmr_answer answer = bmr_pair_advance(&c->pair, &c->def, &c->a, &c->b, &q, &observer, NULL);
-    assert_int_equal(bmr_pair_audit(&c->pair, &c->def, &c->a, &c->b, &q), BMR_OK);
+static bmr_answer advance(test_couple *c, bmr_pose q) {
+    const bmr_answer answer = test_couple_advance(c, &q, NULL);
+    assert_int_equal(bmr_pair_audit(&c->pair, &c->def, &c->shape[0], &c->shape[1], &q), BMR_OK);
     return answer;
 }
 /// Level changes by coarsening come with an event that is counted already.
@@ -116,33 +93,30 @@ TEST(a_pose_that_is_no_motion_answers_stab_and_does_no_harm) {
                              {INFINITY, 0, 1, 0}, {0, -INFINITY, 1, 0}, {9, 0, INFINITY, 0}, {9, 0, 0, 0},
                              {9, 0, 2, 0},        {9, 0, 0.9, 0}};
     FOR_EACH_STRUCTURE(s) {
-        own_couple c;
-        couple_make(&c, s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
+        own_couple c = test_couple_make(s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
         for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
             for (int before = 0; before < 3; ++before) { // new, apart by a line, in contact
                 bmr_pair_init(&c.pair);
                 if (before > 0)
-                    assert_int_equal(couple_advance(&c, pose(0.0, before == 1 ? 1.1 : 0.2, 0.1)),
+                    assert_int_equal(advance(&c, pose(0.0, before == 1 ? 1.1 : 0.2, 0.1)),
                                      before == 1 ? BMR_APART : BMR_STAB_POLYGON);
                 const bmr_pose q = {{bad[i][0], bad[i][1]}, bad[i][2], bad[i][3]};
                 double gap = 7.0;
-                assert_int_equal(bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &q, NULL, &gap),
-                                 BMR_STAB_POLYGON);
+                assert_int_equal(test_couple_advance(&c, &q, &gap), BMR_STAB_POLYGON);
                 assert_true(gap == 0.0);
-                assert_int_equal(bmr_pair_audit(&c.pair, &c.def, &c.a, &c.b, &q), BMR_OK);
-                assert_int_equal(couple_advance(&c, pose(0.0, 1.1, 0.1)), BMR_APART);
+                assert_int_equal(bmr_pair_audit(&c.pair, &c.def, &c.shape[0], &c.shape[1], &q), BMR_OK);
+                assert_int_equal(advance(&c, pose(0.0, 1.1, 0.1)), BMR_APART);
             }
     }
 }
 
 TEST(far_poses_are_apart_up_to_the_largest_double) {
     FOR_EACH_STRUCTURE(s) {
-        own_couple c;
-        couple_make(&c, s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
+        own_couple c = test_couple_make(s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
         for (double x = 1.0; x < 1e300; x *= 7.0) {
             const bmr_pose q = pose(-x, x / 3.0, x);
             double gap;
-            const bmr_answer answer = bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &q, NULL, &gap);
+            const bmr_answer answer = test_couple_advance(&c, &q, &gap);
             assert_true(x < 3.0 || answer == BMR_APART);
             assert_true(gap <= hypot(x, x / 3.0));
         }
@@ -152,17 +126,15 @@ TEST(far_poses_are_apart_up_to_the_largest_double) {
 TEST(a_pair_does_not_allocate) {
     test_random random = {5};
     FOR_EACH_STRUCTURE(s) {
-        own_couple c;
-        couple_make(&c, s, ellipse(100, 0.4, 0.0), ellipse(60, 0.7, 0.0));
+        own_couple c = test_couple_make(s, ellipse(100, 0.4, 0.0), ellipse(60, 0.7, 0.0));
         static bmr_pose poses[2000];
         for (size_t i = 0; i < 2000; ++i)
-            poses[i] = test_pose_at(c.a.polygon, c.b.polygon, 0.03 * (double)i, 0.02 * (double)i,
-                                    test_random_uniform(&random, -0.05, 0.2));
-        const bmr_observer observer = {&c.counters, NULL, NULL};
+            poses[i] = test_pose_at(c.shape[0].polygon, c.shape[1].polygon, 0.03 * (double)i,
+                                    0.02 * (double)i, test_random_uniform(&random, -0.05, 0.2));
         const size_t before = allocations;
         for (size_t i = 0; i < 2000; ++i) {
-            bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &poses[i], &observer, NULL);
-            bmr_pair_audit(&c.pair, &c.def, &c.a, &c.b, &poses[i]);
+            test_couple_advance(&c, &poses[i], NULL);
+            bmr_pair_audit(&c.pair, &c.def, &c.shape[0], &c.shape[1], &poses[i]);
         }
         assert_int_equal(allocations, before);
         assert_true(events_of(&c.counters) > 500.0);
@@ -176,15 +148,14 @@ TEST(a_pair_does_not_allocate) {
 
 TEST(a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step) {
     FOR_EACH_STRUCTURE(s) {
-        own_couple c;
-        couple_make(&c, s, box(10.0, 1.0), box(1.0, 1.0));
+        own_couple c = test_couple_make(s, box(10.0, 1.0), box(1.0, 1.0));
         test_random random = {8};
         size_t beyond = 0, steps = 5000;
         for (size_t i = 0; i < steps; ++i) {
             // What single precision makes of an angle of 0: noise, but for the sliding.
             const double noise = test_random_uniform(&random, -1.5e-7, 1.5e-7);
             const bmr_pose q = pose(-9.0 + 18.0 * (double)i / (double)steps, 2.0005, noise);
-            assert_int_equal(couple_advance(&c, q), BMR_APART);
+            assert_int_equal(advance(&c, q), BMR_APART);
             // The control: a checker with no tolerance would call half of these a roll.
             const bmr_certificate *k = &c.pair.certificate;
             const bmr_pose inverse = bmr_pose_inverse(&q), *frame = c.pair.owner == 0 ? &q : &inverse;
@@ -202,15 +173,14 @@ TEST(a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step) {
 
 TEST(spinning_far_apart_costs_nothing) {
     FOR_EACH_STRUCTURE(s) {
-        own_couple c;
-        couple_make(&c, s, ellipse(64, 0.3, 0.0), ellipse(64, 0.3, 0.0));
+        own_couple c = test_couple_make(s, ellipse(64, 0.3, 0.0), ellipse(64, 0.3, 0.0));
         for (int i = 0; i < 1000; ++i)
-            assert_int_equal(couple_advance(&c, pose(2.5, 0.0, 0.1 * i)), BMR_APART);
+            assert_int_equal(advance(&c, pose(2.5, 0.0, 0.1 * i)), BMR_APART);
         assert_int_equal(c.counters.events[BMR_EVENT_START], 1);
         assert_true(events_of(&c.counters) == 1.0);
         // The control: where the disks overlap, spinning does cost.
         for (int i = 0; i < 1000; ++i)
-            couple_advance(&c, pose(0.0, 1.4, 0.1 * i));
+            advance(&c, pose(0.0, 1.4, 0.1 * i));
         assert_true(events_of(&c.counters) > 50.0);
     }
 }
@@ -219,19 +189,17 @@ TEST(spinning_far_apart_costs_nothing) {
 
 /// Events of a straight pass whose least distance is sigma, sampled finely near the closest place.
 static double events_of_a_pass(bmr_structure s, size_t n, double sigma, double way, double *features) {
-    own_couple c;
-    couple_make(&c, s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
-    const bmr_pose nearest = test_pose_at(c.a.polygon, c.b.polygon, way, 0.6, sigma);
+    own_couple c = test_couple_make(s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
+    const bmr_pose nearest = test_pose_at(c.shape[0].polygon, c.shape[1].polygon, way, 0.6, sigma);
     const bmr_vec2 along = {-sin(way), cos(way)};
-    const bmr_observer observer = {&c.counters, NULL, NULL};
     uint32_t last = 0;
     for (int i = -3000; i <= 3000; ++i) {
         const double t = i / 3000.0;
         bmr_pose q = nearest;
         q.position = bmr_add(q.position, bmr_scale(6.0 * t * t * t, along));
-        assert_int_equal(bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &q, &observer, NULL), BMR_APART);
+        assert_int_equal(test_couple_advance(&c, &q, NULL), BMR_APART);
         // What the same pass costs whoever follows the vertex nearest to the other's centre.
-        const uint32_t feature = bmr_polygon_support(c.a.polygon, q.position);
+        const uint32_t feature = bmr_polygon_support(c.shape[0].polygon, q.position);
         *features += feature != last;
         last = feature;
     }
@@ -266,13 +234,12 @@ TEST(events_of_a_pass_grow_with_the_logarithm_of_its_nearness_and_not_with_n) {
 /// Events of one turn around the other at a distance of sigma, counter-clockwise (sense 1) or clockwise (-1),
 /// the other turning `spin` times meanwhile.
 static double events_of_an_orbit(bmr_structure s, size_t n, double sigma, double sense, double spin) {
-    own_couple c;
-    couple_make(&c, s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
-    const bmr_observer observer = {&c.counters, NULL, NULL};
+    own_couple c = test_couple_make(s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
     for (int i = 0; i < 20000; ++i) {
         const double turned = sense * TWO_PI * i / 20000.0;
-        const bmr_pose q = test_pose_at(c.a.polygon, c.b.polygon, turned, 0.6 + spin * turned, sigma);
-        bmr_pair_advance(&c.pair, &c.def, &c.a, &c.b, &q, &observer, NULL);
+        const bmr_pose q =
+            test_pose_at(c.shape[0].polygon, c.shape[1].polygon, turned, 0.6 + spin * turned, sigma);
+        test_couple_advance(&c, &q, NULL);
     }
     return events_of(&c.counters);
 }

@@ -16,34 +16,30 @@ std::size_t rounds(std::size_t count) {
     return std::max<std::size_t>(test_scaled(count), 64);
 }
 
-struct Couple {
-    test_body body[2];
-    bmr_shape shape[2];
-    bmr_pair_def def;
-    bmr_pair pair;
+struct Couple : test_couple {
     test_motion motion;
 
-    Couple(bmr_structure structure, std::size_t round, test_random *random) : def(bmr_default_pair_def()) {
-        for (int side = 0; side < 2; ++side) {
-            const auto family = static_cast<test_family>(test_random_below(random, TEST_FAMILY_COUNT));
-            bmr_polygon *polygon = test_polygon(family, 3 + test_random_below(random, 5), random);
-            body[side] = test_body_make(polygon, structure);
-            shape[side] = test_body_shape(&body[side]);
-        }
-        def.structure = structure;
+    Couple(bmr_structure structure, std::size_t round, test_random *random)
+        : test_couple(Make(structure, random)) {
         if (round % 2)
             def.margin = test_random_uniform(random, 0.0, 0.05);
-        bmr_pair_init(&pair);
         const auto kind = static_cast<test_motion_kind>(round % TEST_MOTION_KIND_COUNT);
         motion = test_motion_make(kind, shape[0].polygon, shape[1].polygon, random);
     }
     Couple(const Couple &) = delete;
     Couple &operator=(const Couple &) = delete;
-    ~Couple() {
-        test_body_destroy(&body[0]);
-        test_body_destroy(&body[1]);
-    }
+    ~Couple() { test_couple_destroy(this); }
     double extents() const { return shape[0].polygon->extent + shape[1].polygon->extent; }
+
+private:
+    static test_couple Make(bmr_structure structure, test_random *random) {
+        bmr_polygon *body[2];
+        for (bmr_polygon *&polygon : body) {
+            const auto family = static_cast<test_family>(test_random_below(random, TEST_FAMILY_COUNT));
+            polygon = test_polygon(family, 3 + test_random_below(random, 5), random);
+        }
+        return test_couple_make(structure, body[0], body[1]);
+    }
 };
 
 /// What a certificate proves at a pose, exactly: the gap along its normal as it is in floats, over the
@@ -71,8 +67,7 @@ TEST_CASE("no pair claims a gap that rational arithmetic denies, and none misses
             for (int step = 0; step < 20; ++step) {
                 const bmr_pose q = test_motion_next(&t.motion, &random);
                 double gap;
-                const bmr_answer answer =
-                    bmr_pair_advance(&t.pair, &t.def, &t.shape[0], &t.shape[1], &q, nullptr, &gap);
+                const bmr_answer answer = test_couple_advance(&t, &q, &gap);
                 const Places b = PlacesAt(t.shape[1].polygon, q);
                 const Number truth = SquaredDistance(a, b);
                 // The control: to believe the last step's answer.
@@ -128,11 +123,9 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
                 const bmr_pose q = test_pose_at(t.shape[0].polygon, t.shape[1].polygon, way, turn,
                                                 t.def.margin + step * slop / 2.0);
                 bmr_pair_init(&t.pair);
-                bmr_counters counters = {};
-                const bmr_observer observer = {&counters, nullptr, nullptr};
-                const bool apart = bmr_pair_advance(&t.pair, &t.def, &t.shape[0], &t.shape[1], &q, &observer,
-                                                    nullptr) == BMR_APART;
-                REQUIRE(counters.events[BMR_EVENT_START] ==
+                t.counters = {};
+                const bool apart = test_couple_advance(&t, &q, nullptr) == BMR_APART;
+                REQUIRE(t.counters.events[BMR_EVENT_START] ==
                         (apart ? 1 : 0)); // whichever of its proofs is taken
                 const Number truth = SquaredDistance(a, PlacesAt(t.shape[1].polygon, q));
                 if (apart)
@@ -143,35 +136,11 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
         }
 }
 
-namespace {
-
-/// One in ten a point or a segment, one in four of another size and far from its frame's origin.
-bmr_polygon *AnyPolygon(test_random *random) {
-    bmr_vec2 points[24];
-    std::size_t count = 1 + test_random_below(random, 20);
-    const auto family = static_cast<test_family>(test_random_below(random, TEST_FAMILY_COUNT));
-    if (count > 2)
-        count = test_points(family, 3 + test_random_below(random, 9), random, points);
-    else
-        for (std::size_t i = 0; i < count; ++i)
-            points[i] = {test_random_uniform(random, -1.0, 1.0), test_random_uniform(random, -1.0, 1.0)};
-    const bool moved = test_random_below(random, 4) == 0;
-    const double scale = moved ? std::pow(10.0, test_random_uniform(random, -3.0, 3.0)) : 1.0;
-    const double away = moved ? scale * test_random_uniform(random, 0.0, 10.0) : 0.0;
-    for (std::size_t i = 0; i < count; ++i)
-        points[i] = {scale * points[i].x + away, scale * points[i].y - away};
-    bmr_polygon *polygon = nullptr;
-    REQUIRE(bmr_polygon_create(points, count, nullptr, &polygon) == BMR_OK);
-    return polygon;
-}
-
-} // namespace
-
 TEST_CASE("the brute-force distance of the other tests is the exact one up to double rounding") {
     test_random random = {79};
     std::size_t overlapping = 0, apart = 0;
     for (std::size_t round = 0; round < rounds(2000); ++round) {
-        bmr_polygon *const a = AnyPolygon(&random), *const b = AnyPolygon(&random);
+        bmr_polygon *const a = test_any_polygon(12, &random), *const b = test_any_polygon(12, &random);
         test_motion motion = test_motion_make(TEST_MOTION_JUMP, a, b, &random);
         const bmr_pose q = test_motion_next(&motion, &random);
         const double distance = test_distance(a, b, &q);

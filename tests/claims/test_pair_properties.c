@@ -21,108 +21,68 @@ static size_t rounds(size_t count) {
 }
 
 typedef struct trial {
-    test_body body[2];
-    bmr_shape shape[2];
-    bmr_pair_def def;
-    bmr_pair pair;
+    test_couple of;
     test_motion motion;
     double scale; ///< of the coordinates' rounding
 } trial;
 
-static bmr_polygon *random_polygon(test_random *random, size_t largest) {
-    const uint32_t kind = test_random_below(random, 20);
-    bmr_vec2 points[2];
-    bmr_polygon *polygon = NULL;
-    if (kind < 2) { // a point or a segment
-        for (uint32_t i = 0; i <= kind; ++i)
-            points[i] =
-                bmr_vec2_make(test_random_uniform(random, -1.0, 1.0), test_random_uniform(random, -1.0, 1.0));
-        assert_int_equal(bmr_polygon_create(points, kind + 1, NULL, &polygon), BMR_OK);
-        return polygon;
-    }
-    const double n = exp(test_random_uniform(random, log(3.0), log((double)largest)));
-    polygon = test_polygon((test_family)test_random_below(random, TEST_FAMILY_COUNT), (size_t)n, random);
-    assert_non_null(polygon);
-    return polygon;
-}
-
-/// The same polygon, scaled and away from its frame's origin.
-static bmr_polygon *moved(bmr_polygon *polygon, double scale, bmr_vec2 by) {
-    bmr_vec2 *points = malloc(polygon->count * sizeof *points);
-    assert_non_null(points);
-    for (uint32_t i = 0; i < polygon->count; ++i)
-        points[i] = bmr_add(bmr_scale(scale, polygon->vertices[i]), by);
-    bmr_polygon *made = made_polygon(points, polygon->count);
-    free(points);
-    bmr_polygon_destroy(polygon, NULL);
-    return made;
-}
-
-static void begin(trial *t, bmr_structure structure, test_motion_kind kind, size_t largest,
-                  test_random *random) {
-    for (int side = 0; side < 2; ++side) {
-        bmr_polygon *polygon = random_polygon(random, largest);
-        if (test_random_below(random, 4) == 0) {
-            const double scale = exp(test_random_uniform(random, log(1e-3), log(1e3)));
-            const double away = scale * test_random_uniform(random, 0.0, 10.0);
-            polygon = moved(polygon, scale, bmr_vec2_make(away, -away));
-        }
-        t->body[side] = test_body_make(polygon, structure);
-        t->shape[side] = test_body_shape(&t->body[side]);
-    }
-    const bmr_polygon *a = t->shape[0].polygon, *b = t->shape[1].polygon;
-    t->def.structure = structure;
-    const double radius = fmax(a->radius, b->radius);
-    t->def.margin = test_random_below(random, 2) ? 0.0 : radius * test_random_uniform(random, 0.0, 0.05);
-    t->def.hysteresis = test_random_below(random, 2) ? 0.0 : radius * test_random_uniform(random, 0.0, 0.05);
-    bmr_pair_init(&t->pair);
-    t->motion = test_motion_make(kind, a, b, random);
-    t->scale = a->extent + b->extent;
+static trial begin(bmr_structure structure, test_motion_kind kind, size_t largest, test_random *random) {
+    bmr_polygon *body[2];
+    for (int side = 0; side < 2; ++side)
+        body[side] = test_any_polygon(largest, random);
+    trial t = {.of = test_couple_make(structure, body[0], body[1])};
+    const double radius = fmax(body[0]->radius, body[1]->radius);
+    bmr_pair_def *def = &t.of.def;
+    def->margin = test_random_below(random, 2) ? 0.0 : radius * test_random_uniform(random, 0.0, 0.05);
+    def->hysteresis = test_random_below(random, 2) ? 0.0 : radius * test_random_uniform(random, 0.0, 0.05);
+    t.motion = test_motion_make(kind, body[0], body[1], random);
+    t.scale = body[0]->extent + body[1]->extent;
+    return t;
 }
 
 static void end(trial *t) {
-    test_body_destroy(&t->body[0]);
-    test_body_destroy(&t->body[1]);
+    test_couple_destroy(&t->of);
 }
+#define own_trial OWNED(end) trial
 
 /// One step, all that is promised about it asserted. The truth is returned.
 static double step_and_check(trial *t, const bmr_pose *q) {
-    const double need = t->def.margin + (t->pair.state == BMR_PAIR_CONTACT ? t->def.hysteresis : 0.0);
+    const double need =
+        t->of.def.margin + (t->of.pair.state == BMR_PAIR_CONTACT ? t->of.def.hysteresis : 0.0);
     double gap;
-    const bmr_answer answer = bmr_pair_advance(&t->pair, &t->def, &t->shape[0], &t->shape[1], q, NULL, &gap);
-    const double truth = test_distance(t->shape[0].polygon, t->shape[1].polygon, q);
+    const bmr_answer answer = test_couple_advance(&t->of, q, &gap);
+    const double truth = test_distance(t->of.shape[0].polygon, t->of.shape[1].polygon, q);
     const double rounding = ORACLE_ROUNDING * (t->scale + truth);
     if (answer == BMR_APART) {
-        assert_int_equal(t->pair.state, BMR_PAIR_APART);
-        assert_true(gap > need ||
-                    (gap > t->def.margin && need > t->def.margin && t->pair.state != BMR_PAIR_CONTACT));
+        assert_int_equal(t->of.pair.state, BMR_PAIR_APART);
+        assert_true(gap > need || (gap > t->of.def.margin && need > t->of.def.margin &&
+                                   t->of.pair.state != BMR_PAIR_CONTACT));
         assert_true(gap <= truth + rounding);
         double quick;
-        assert_true(bmr_pair_check(&t->pair, q, t->def.margin, &quick));
+        assert_true(bmr_pair_check(&t->of.pair, q, t->of.def.margin, &quick));
         assert_true(quick <= truth + rounding);
     } else {
-        assert_int_equal(t->pair.state, BMR_PAIR_CONTACT);
+        assert_int_equal(t->of.pair.state, BMR_PAIR_CONTACT);
         assert_true(gap == 0.0);
         assert_true(truth <= need + BMR_PAIR_SLOP * t->scale + 1e-6 * need + rounding);
     }
-    const bmr_error audit = bmr_pair_audit(&t->pair, &t->def, &t->shape[0], &t->shape[1], q);
+    const bmr_error audit = bmr_pair_audit(&t->of.pair, &t->of.def, &t->of.shape[0], &t->of.shape[1], q);
     if (audit != BMR_OK)
         fail_msg("%s, %u and %u vertices, level %d, at (%.17g, %.17g; %.17g, %.17g): the audit: %s",
-                 bmr_structure_name(t->def.structure), t->shape[0].polygon->count, t->shape[1].polygon->count,
-                 t->pair.level, q->position.x, q->position.y, q->c, q->s, bmr_error_describe(audit));
+                 bmr_structure_name(t->of.def.structure), t->of.shape[0].polygon->count,
+                 t->of.shape[1].polygon->count, t->of.pair.level, q->position.x, q->position.y, q->c, q->s,
+                 bmr_error_describe(audit));
     return truth;
 }
 
 static void run_motions(bmr_structure structure, size_t motions, size_t largest, uint64_t seed) {
     test_random random = {seed + (uint64_t)structure};
     for (size_t i = 0; i < motions; ++i) {
-        trial t;
-        begin(&t, structure, (test_motion_kind)(i % TEST_MOTION_KIND_COUNT), largest, &random);
+        own_trial t = begin(structure, (test_motion_kind)(i % TEST_MOTION_KIND_COUNT), largest, &random);
         for (int step = 0; step < STEPS; ++step) {
             const bmr_pose q = test_motion_next(&t.motion, &random);
             step_and_check(&t, &q);
         }
-        end(&t);
     }
 }
 
@@ -141,24 +101,24 @@ TEST(the_audit_rejects_a_tampered_pair) {
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure) {
         test_random random = {500};
         for (size_t i = 0; i < rounds(600); ++i) {
-            trial t;
-            begin(&t, (bmr_structure)structure, (test_motion_kind)(i % TEST_MOTION_KIND_COUNT), 40, &random);
+            own_trial t =
+                begin((bmr_structure)structure, (test_motion_kind)(i % TEST_MOTION_KIND_COUNT), 40, &random);
             for (int step = 0; step < STEPS; ++step) {
                 const bmr_pose q = test_motion_next(&t.motion, &random);
                 step_and_check(&t, &q);
-                if (t.pair.state != BMR_PAIR_APART || test_random_below(&random, 5) != 0)
+                if (t.of.pair.state != BMR_PAIR_APART || test_random_below(&random, 5) != 0)
                     continue;
-                const bmr_pair honest = t.pair;
+                const bmr_pair honest = t.of.pair;
                 bmr_pair p = honest;
-                const bmr_polygon *own = t.shape[honest.owner].polygon,
-                                  *other = t.shape[1 - honest.owner].polygon;
+                const bmr_polygon *own = t.of.shape[honest.owner].polygon,
+                                  *other = t.of.shape[1 - honest.owner].polygon;
                 const float size = (float)(2e-5 * t.scale);
                 const bmr_pose inverse = bmr_pose_inverse(&q);
                 double gap = 0.0;
-                assert_true(bmr_pair_check(&honest, &q, t.def.margin, &gap));
+                assert_true(bmr_pair_check(&honest, &q, t.of.def.margin, &gap));
 #define REJECTED(i)                                                                                          \
     do {                                                                                                     \
-        assert_int_not_equal(bmr_pair_audit(&p, &t.def, &t.shape[0], &t.shape[1], &q), BMR_OK);              \
+        assert_int_not_equal(bmr_pair_audit(&p, &t.of.def, &t.of.shape[0], &t.of.shape[1], &q), BMR_OK);     \
         ++tampered[i];                                                                                       \
         p = honest;                                                                                          \
     } while (0)
@@ -180,7 +140,7 @@ TEST(the_audit_rejects_a_tampered_pair) {
                 p.edge = 1000; // neither a vertex nor an edge
                 REJECTED(5);
                 p.owner = (uint8_t)(1 - p.owner);
-                if (t.shape[0].polygon->count > 2 && t.shape[1].polygon->count > 2)
+                if (t.of.shape[0].polygon->count > 2 && t.of.shape[1].polygon->count > 2)
                     REJECTED(2);
                 p = honest;
                 const bmr_pose *other_in_owner = honest.owner == 0 ? &q : &inverse;
@@ -206,7 +166,7 @@ TEST(the_audit_rejects_a_tampered_pair) {
                     p.edge = own->count;
                     REJECTED(5);
                 } else { // any other edge whose line is not the same in floats
-                    const bmr_hierarchy *h = t.shape[p.owner].hierarchies[p.structure];
+                    const bmr_hierarchy *h = t.of.shape[p.owner].hierarchies[p.structure];
                     p.edge = test_random_below(&random, bmr_hierarchy_edge_count(h));
                     const bmr_vec2 from = bmr_hierarchy_line(h, honest.edge).normal;
                     const bmr_vec2 to = bmr_hierarchy_line(h, p.edge).normal;
@@ -217,7 +177,6 @@ TEST(the_audit_rejects_a_tampered_pair) {
                 p.other = lazy ? p.other_after : other->count;
                 REJECTED(6);
             }
-            end(&t);
         }
     }
     for (size_t i = 0; i < sizeof tampered / sizeof *tampered; ++i)

@@ -3,6 +3,7 @@
 // given.
 #include "boomerang/pair.h"
 #include "cases.h"
+#include "hierarchies.h"
 #include "kds_driver.h"
 #include "motions.h"
 #include "polygon_distance.h"
@@ -21,10 +22,10 @@ struct Body : test_kds_body {
     Body(const Body &) = delete;
     Body &operator=(const Body &) = delete;
     ~Body() { test_kds_body_destroy(this); }
-    /// What the structure names; nothing for the free direction.
-    bmr_shape Shape(int structure) const {
-        bmr_shape named = {polygon, {}, {}};
-        if (structure < BMR_FREE_DIRECTION)
+    /// What the structure names, nothing for the free direction; or one hierarchy in all places.
+    bmr_shape Shape(int structure, const bmr_hierarchy *everywhere = nullptr) const {
+        bmr_shape named = {polygon, {everywhere, everywhere, everywhere}, {}};
+        if (everywhere == nullptr && structure < BMR_FREE_DIRECTION)
             named.hierarchies[structure] = hierarchies[structure];
         return named;
     }
@@ -140,11 +141,13 @@ TEST_CASE("a polygon that was made where another was freed is another") {
     const Body box(Box(0.5, 0.5));
     const std::vector<bmr_vec2> polygons[] = {Regular(60, 0.5, 0.1), Regular(60, 4.0, 0.7),
                                               Regular(5, 4.0, 0.3)};
-    const bmr_pose line = At(1.5, 0.2, 0.0), disks = At(9.0, 0.0, 0.4), contact = At(0.2, 0.2, 0.0);
+    // Apart by a line of the small ones, and of the large ones; by disks; in contact.
+    const bmr_pose poses[] = {At(0.1, 1.0, 0.2), At(0.2, 3.9, 0.1), At(9.0, 0.0, 0.4), At(0.2, 0.2, 0.0)};
+    size_t lines = 0;
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         for (const std::vector<bmr_vec2> &before : polygons)
             for (const std::vector<bmr_vec2> &after : polygons)
-                for (const bmr_pose &pose : {line, disks, contact}) {
+                for (const bmr_pose &pose : poses) {
                     CAPTURE(structure);
                     CAPTURE(&before - polygons);
                     CAPTURE(&after - polygons);
@@ -152,24 +155,31 @@ TEST_CASE("a polygon that was made where another was freed is another") {
                     bmr_polygon *made = nullptr;
                     REQUIRE(bmr_polygon_create_raw(before.data(), before.size(), &place.allocator, &made) ==
                             BMR_OK);
-                    bmr_hierarchy *kept = test_body_make(made, def.structure).hierarchy;
+                    bmr_shape kept = {made, {}, {}};
+                    bmr_hierarchy *hierarchy = nullptr;
+                    if (structure < BMR_FREE_DIRECTION)
+                        kept.hierarchies[structure] = hierarchy =
+                            test_hierarchy(static_cast<bmr_hierarchy_kind>(structure), made);
                     bmr_pair pair = NewPair();
-                    Advance(&pair, def, {made, {kept}, {}}, box.Shape(structure), pose);
+                    Advance(&pair, def, kept, box.Shape(structure), pose);
                     bmr_polygon_destroy(made, &place.allocator);
                     bmr_polygon *again = nullptr;
                     REQUIRE(bmr_polygon_create_raw(after.data(), after.size(), &place.allocator, &again) ==
                             BMR_OK);
                     REQUIRE(again == made); // the same address
                     // Made of the same vertices it is the same polygon, and the hierarchy is its own.
-                    const bmr_structure keeper = &before == &after ? def.structure : BMR_FREE_DIRECTION;
-                    for (const bmr_pose &next : {pose, At(1.5, 0.2, 0.2), At(4.2, 0.3, 0.1)})
-                        AdvanceKeptBy(keeper, &pair, def, {again, {kept}, {}}, box.Shape(structure), next);
+                    const bool own = &before == &after || structure == BMR_TWO_LINES;
+                    const bmr_structure keeper = own ? def.structure : BMR_FREE_DIRECTION;
                     bmr_pair fresh = NewPair(); // knows neither of them
-                    for (const bmr_pose &next : {At(1.5, 0.2, 0.2), line, contact, disks})
-                        AdvanceKeptBy(keeper, &fresh, def, {again, {kept}, {}}, box.Shape(structure), next);
-                    bmr_hierarchy_destroy(kept, nullptr);
+                    for (bmr_pair *of : {&pair, &fresh})
+                        for (const bmr_pose &next : poses) {
+                            AdvanceKeptBy(keeper, of, def, kept, box.Shape(structure), next);
+                            lines += of->state == BMR_PAIR_APART && of->level != BMR_LEVEL_DISKS;
+                        }
+                    bmr_hierarchy_destroy(hierarchy, nullptr);
                     bmr_polygon_destroy(again, &place.allocator);
                 }
+    CHECK(lines > 100);
 }
 
 TEST_CASE("a copy of a polygon is the same polygon: nothing starts anew") {
@@ -216,33 +226,6 @@ TEST_CASE("polygons of other vertices have another stamp, and one that was writt
     bmr_polygon_destroy(written, nullptr);
 }
 
-TEST_CASE("every structure answers with whatever hierarchies there are") {
-    const Body one(Regular(24, 1.0, 0.2)), two(Box(1.0, 0.5));
-    const auto choices = [](const Body &body, const Body &another) {
-        const bmr_hierarchy *others = another.hierarchies[0];
-        std::vector<bmr_shape> shapes = {{body.polygon, {}, {}},
-                                         {body.polygon, {others, others, others}, {}}};
-        for (const bmr_hierarchy *hierarchy : body.hierarchies) // in its own place and in those of others
-            shapes.push_back({body.polygon, {hierarchy, hierarchy, hierarchy}, {}});
-        return shapes;
-    };
-    for (int structure = 0; structure <= BMR_STRUCTURE_COUNT; ++structure) // the last is none
-        for (const bmr_shape &a : choices(one, two))
-            for (const bmr_shape &b : choices(two, one)) {
-                CAPTURE(structure);
-                bmr_pair_def def = Def(structure);
-                def.margin = 0.01;
-                def.hysteresis = 0.01;
-                bmr_pair pair = NewPair();
-                CHECK(Advance(&pair, def, a, b, At(98.0, 0.0, 0.0)) == BMR_APART);
-                for (int i = 0; i < 60; ++i) {
-                    const double r = 1.9 + std::cos(0.21 * i);
-                    Advance(&pair, def, a, b, At(r * std::cos(0.1 * i), r * std::sin(0.1 * i), 0.3 * i));
-                }
-                CHECK(Advance(&pair, def, a, b, At(0.0, 98.0, 0.3)) == BMR_APART);
-            }
-}
-
 namespace {
 
 /// Polygons of 1 to 200 vertices, from small to large.
@@ -275,6 +258,7 @@ TEST_CASE("whatever a pair is advanced with next, what it says is true") {
     const Body *a = &any(), *b = &any();
     bmr_pair_def def = Def(0);
     int hierarchies[2] = {0, 0};
+    const bmr_hierarchy *everywhere[2] = {nullptr, nullptr}; // in every place, whosever it is
     bmr_pose pose = At(3.0, 0.0, 0.0);
     for (size_t i = 0; i < rounds; ++i) {
         switch (test_random_below(&random, 10)) {
@@ -288,11 +272,14 @@ TEST_CASE("whatever a pair is advanced with next, what it says is true") {
             std::swap(a, b);
             break;
         case 3:
-            def.structure = static_cast<bmr_structure>(test_random_below(&random, BMR_STRUCTURE_COUNT));
+            def.structure =
+                static_cast<bmr_structure>(test_random_below(&random, BMR_STRUCTURE_COUNT + 1)); // or none
             hierarchies[0] = hierarchies[1] = def.structure;
+            everywhere[0] = everywhere[1] = nullptr;
             break;
         case 4:
             hierarchies[i % 2] = static_cast<int>(test_random_below(&random, BMR_STRUCTURE_COUNT));
+            everywhere[i % 2] = test_random_below(&random, 2) ? nullptr : any().hierarchies[i % 3];
             break;
         case 5:
             kept = pair;
@@ -309,8 +296,8 @@ TEST_CASE("whatever a pair is advanced with next, what it says is true") {
         if (test_random_below(&random, 3) == 0)
             pose = AnyPose(&random, a->polygon->extent + b->polygon->extent);
         pose.position.x += test_random_uniform(&random, -0.01, 0.01);
-        const bool found =
-            Advance(&pair, def, a->Shape(hierarchies[0]), b->Shape(hierarchies[1]), pose) == BMR_APART;
+        const bool found = Advance(&pair, def, a->Shape(hierarchies[0], everywhere[0]),
+                                   b->Shape(hierarchies[1], everywhere[1]), pose) == BMR_APART;
         ++(found ? apart : contact);
     }
     CHECK(apart > rounds / 5);

@@ -10,10 +10,7 @@
 #define STEPS 400000
 
 typedef struct trace {
-    test_body body[2];
-    bmr_shape a, b;
-    bmr_pair_def def;
-    bmr_pair pair;
+    test_couple of;
     bmr_pair before; ///< the state that the next event starts from
     double gap;      ///< that the last event left
     size_t seen[BMR_EVENT_KIND_COUNT];
@@ -38,13 +35,15 @@ static bmr_polygon *envelope(const bmr_hierarchy *h, int level) {
 /// The distance of the two envelopes of a level; of the two disks for level -1.
 static double distance_on_level(const trace *t, int level, const bmr_pose *q) {
     if (level == BMR_LEVEL_DISKS) {
-        const bmr_polygon *a = t->a.polygon, *b = t->b.polygon;
+        const bmr_polygon *a = t->of.shape[0].polygon, *b = t->of.shape[1].polygon;
         const bmr_vec2 way = bmr_sub(bmr_transform(q, b->center), a->center);
         return fmax(0.0, hypot(way.x, way.y) - a->radius - b->radius);
     }
-    if (!t->body[0].hierarchy)
-        return test_distance(t->a.polygon, t->b.polygon, q);
-    own_polygon *a = envelope(t->body[0].hierarchy, level), *b = envelope(t->body[1].hierarchy, level);
+    const bmr_structure structure = t->of.def.structure;
+    if (structure >= BMR_FREE_DIRECTION)
+        return test_distance(t->of.shape[0].polygon, t->of.shape[1].polygon, q);
+    own_polygon *a = envelope(t->of.shape[0].hierarchies[structure], level),
+                *b = envelope(t->of.shape[1].hierarchies[structure], level);
     const double distance = test_distance(a, b, q);
     return distance;
 }
@@ -57,8 +56,9 @@ static bmr_check look(const bmr_pair *pair, const bmr_pose *q, double *gap) {
 static void check_event(void *context, const bmr_event *event) {
     trace *t = context;
     const bmr_pair *now = event->pair, *was = &t->before;
-    const double slop = BMR_PAIR_SLOP * (t->a.polygon->extent + t->b.polygon->extent) + STEP;
-    const bool lazy = t->def.structure < BMR_FREE_DIRECTION;
+    const double slop =
+        BMR_PAIR_SLOP * (t->of.shape[0].polygon->extent + t->of.shape[1].polygon->extent) + STEP;
+    const bool lazy = t->of.def.structure < BMR_FREE_DIRECTION;
     double gap = 0.0;
     ++t->seen[event->kind];
     if (t->shown && now->state == BMR_PAIR_APART && now->level != BMR_LEVEL_DISKS)
@@ -71,7 +71,8 @@ static void check_event(void *context, const bmr_event *event) {
     // Whatever happened, a pair that is apart holds a proof at this pose, of the gap that is reported.
     if (now->state == BMR_PAIR_APART) {
         assert_int_equal(event->level_after, now->level);
-        assert_int_equal(bmr_pair_audit(now, &t->def, &t->a, &t->b, event->pose), BMR_OK);
+        assert_int_equal(bmr_pair_audit(now, &t->of.def, &t->of.shape[0], &t->of.shape[1], event->pose),
+                         BMR_OK);
         assert_true(event->gap > 0.0);
         assert_true(event->gap <= distance_on_level(t, event->level_after, event->pose) + 1e-12);
     }
@@ -106,11 +107,11 @@ static void check_event(void *context, const bmr_event *event) {
     case BMR_EVENT_CONTACT: // hand-over: the polygons themselves touch
         assert_int_equal(now->state, BMR_PAIR_CONTACT);
         assert_true(distance_on_level(t, event->level_after, event->pose) <= slop);
-        assert_true(test_distance(t->a.polygon, t->b.polygon, event->pose) <= slop);
+        assert_true(test_distance(t->of.shape[0].polygon, t->of.shape[1].polygon, event->pose) <= slop);
         break;
     case BMR_EVENT_LEAVE:
         assert_int_equal(was->state, BMR_PAIR_CONTACT);
-        assert_true(test_distance(t->a.polygon, t->b.polygon, event->pose) > 0.0);
+        assert_true(test_distance(t->of.shape[0].polygon, t->of.shape[1].polygon, event->pose) > 0.0);
         break;
     case BMR_EVENT_HANDOVER: // the free direction failed, and the coarse line separates
         assert_true(was->free && !now->free);
@@ -135,22 +136,15 @@ static bmr_polygon *body(size_t n, double flatness) {
     return made_polygon(points, n);
 }
 
-static void begin(trace *t, bmr_structure structure, bool shown) {
-    memset(t, 0, sizeof *t);
-    t->body[0] = test_body_make(body(48, 0.35), structure);
-    t->body[1] = test_body_make(body(33, 0.6), structure);
-    t->a = test_body_shape(&t->body[0]);
-    t->b = test_body_shape(&t->body[1]);
-    t->def = bmr_default_pair_def();
-    t->def.structure = structure;
-    bmr_pair_init(&t->pair);
-    t->before = t->pair;
-    t->shown = shown;
+static trace begin(bmr_structure structure, bool shown) {
+    trace t = {.of = test_couple_make(structure, body(48, 0.35), body(33, 0.6)), .shown = shown};
+    t.before = t.of.pair;
+    return t;
 }
 static void end(trace *t) {
-    test_body_destroy(&t->body[0]);
-    test_body_destroy(&t->body[1]);
+    test_couple_destroy(&t->of);
 }
+#define own_trace OWNED(end) trace
 
 /// In from afar, slowly turning, a short dive into the other body, out again, and away.
 static bmr_pose pass(int i) {
@@ -161,14 +155,13 @@ static bmr_pose pass(int i) {
 
 TEST(every_event_of_a_pass_is_what_its_name_says) {
     for (bmr_structure s = 0; s < BMR_STRUCTURE_COUNT; ++s) {
-        trace t;
-        begin(&t, s, true);
+        own_trace t = begin(s, true);
         printf("  %s\n", bmr_structure_name(s));
         bmr_counters counters = {0};
         const bmr_observer observer = {&counters, check_event, &t};
         for (int i = 0; i <= STEPS; ++i) {
             const bmr_pose q = pass(i);
-            bmr_pair_advance(&t.pair, &t.def, &t.a, &t.b, &q, &observer, NULL);
+            bmr_pair_advance(&t.of.pair, &t.of.def, &t.of.shape[0], &t.of.shape[1], &q, &observer, NULL);
         }
         for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind) {
             assert_int_equal(counters.events[kind], t.seen[kind]); // counted and told alike
@@ -178,15 +171,13 @@ TEST(every_event_of_a_pass_is_what_its_name_says) {
         }
         assert_int_equal(t.seen[BMR_EVENT_START], 1);
         assert_int_equal(t.seen[BMR_EVENT_CONTACT], t.seen[BMR_EVENT_LEAVE]);
-        assert_int_equal(t.pair.level, BMR_LEVEL_DISKS); // as it came
-        end(&t);
+        assert_int_equal(t.of.pair.level, BMR_LEVEL_DISKS); // as it came
     }
 }
 
 /// The control: the checks above do tell one event from another.
 TEST(levels_that_are_apart_do_not_pass_for_touching) {
-    trace t;
-    begin(&t, BMR_LAZY_COMPASS, false);
+    own_trace t = begin(BMR_LAZY_COMPASS, false);
     size_t separate = 0, touching = 0;
     for (int i = 0; i <= STEPS; i += STEPS / 100) {
         const bmr_pose q = pass(i);
@@ -200,5 +191,4 @@ TEST(levels_that_are_apart_do_not_pass_for_touching) {
         }
     }
     assert_true(separate > 50 && touching > 50);
-    end(&t);
 }

@@ -37,22 +37,6 @@ test_kds_body test_kds_body_make(bmr_polygon *polygon) {
     return body;
 }
 
-test_kds_body test_kds_body_make_scaled(bmr_polygon *polygon, double scale, double shift) {
-    if (!polygon)
-        abort();
-    bmr_vec2 *points = malloc(polygon->count * sizeof *points);
-    bmr_polygon *scaled = NULL;
-    if (!points)
-        abort();
-    for (uint32_t i = 0; i < polygon->count; ++i)
-        points[i] = bmr_add(bmr_scale(scale, polygon->vertices[i]), bmr_vec2_make(shift, shift));
-    if (bmr_polygon_create(points, polygon->count, NULL, &scaled) != BMR_OK)
-        abort();
-    free(points);
-    bmr_polygon_destroy(polygon, NULL);
-    return test_kds_body_make(scaled);
-}
-
 test_kds_body test_kds_point_make(double x, double y) {
     const bmr_vec2 point = {x, y};
     bmr_polygon *polygon = NULL;

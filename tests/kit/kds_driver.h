@@ -24,9 +24,6 @@ typedef struct test_kds_body {
 } test_kds_body;
 /// Takes the polygon over.
 test_kds_body test_kds_body_make(bmr_polygon *polygon);
-/// The same scaled, and then moved by `shift` in x and y: far from its frame's origin, where it is large.
-/// Takes the polygon.
-test_kds_body test_kds_body_make_scaled(bmr_polygon *polygon, double scale, double shift);
 /// A body of one vertex.
 test_kds_body test_kds_point_make(double x, double y);
 void test_kds_body_destroy(test_kds_body *body);

@@ -153,22 +153,25 @@ bmr_pose test_motion_next(test_motion *m, test_random *random) {
     return test_pose_at(m->a, m->b, m->direction, m->angle, m->gap);
 }
 
-test_body test_body_make(bmr_polygon *polygon, bmr_structure structure) {
-    test_body body = {polygon, NULL};
-    if (structure == BMR_LAZY_COMPASS || structure == BMR_LAZY_DUDLEY)
-        body.hierarchy = test_hierarchy(
-            structure == BMR_LAZY_COMPASS ? BMR_HIERARCHY_COMPASS : BMR_HIERARCHY_DUDLEY, polygon);
-    return body;
+test_couple test_couple_make(bmr_structure structure, bmr_polygon *a, bmr_polygon *b) {
+    test_couple couple = {.shape = {{.polygon = a}, {.polygon = b}}, .def = bmr_default_pair_def()};
+    couple.def.structure = structure;
+    for (int side = 0; side < 2 && structure < BMR_FREE_DIRECTION; ++side)
+        couple.shape[side].hierarchies[structure] =
+            test_hierarchy((bmr_hierarchy_kind)structure, couple.shape[side].polygon);
+    bmr_pair_init(&couple.pair);
+    return couple;
 }
 
-void test_body_destroy(test_body *body) {
-    bmr_hierarchy_destroy(body->hierarchy, NULL);
-    bmr_polygon_destroy(body->polygon, NULL);
+void test_couple_destroy(test_couple *couple) {
+    for (int side = 0; side < 2; ++side) {
+        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
+            bmr_hierarchy_destroy((bmr_hierarchy *)(uintptr_t)couple->shape[side].hierarchies[kind], NULL);
+        bmr_polygon_destroy((bmr_polygon *)(uintptr_t)couple->shape[side].polygon, NULL);
+    }
 }
 
-bmr_shape test_body_shape(const test_body *body) {
-    bmr_shape shape = {.polygon = body->polygon};
-    if (body->hierarchy)
-        shape.hierarchies[bmr_hierarchy_get_kind(body->hierarchy)] = body->hierarchy;
-    return shape;
+bmr_answer test_couple_advance(test_couple *c, const bmr_pose *pose, double *gap) {
+    const bmr_observer observer = {&c->counters, NULL, NULL};
+    return bmr_pair_advance(&c->pair, &c->def, &c->shape[0], &c->shape[1], pose, &observer, gap);
 }

@@ -50,15 +50,19 @@ test_motion test_motion_make(test_motion_kind kind, const bmr_polygon *a, const 
                              test_random *random);
 bmr_pose test_motion_next(test_motion *motion, test_random *random);
 
-/// A polygon with what the structure needs to walk on; the table is shared by all. NULL hierarchy for the
-/// free direction. Abort on failure: a test without memory is none.
-typedef struct test_body {
-    bmr_polygon *polygon;
-    bmr_hierarchy *hierarchy;
-} test_body;
-test_body test_body_make(bmr_polygon *polygon, bmr_structure structure);
-void test_body_destroy(test_body *body);
-bmr_shape test_body_shape(const test_body *body);
+/// A pair of two polygons that knows nothing yet. Each has the hierarchy that the structure walks on; none
+/// for the free direction. Takes the polygons over.
+typedef struct test_couple {
+    bmr_shape shape[2];
+    bmr_pair_def def;
+    bmr_pair pair;
+    bmr_counters counters; ///< of test_couple_advance
+} test_couple;
+test_couple test_couple_make(bmr_structure structure, bmr_polygon *a, bmr_polygon *b);
+void test_couple_destroy(test_couple *couple);
+#define own_couple OWNED(test_couple_destroy) test_couple
+/// `gap` may be NULL.
+bmr_answer test_couple_advance(test_couple *couple, const bmr_pose *pose, double *gap);
 
 // --- pieces of motions ---
 

@@ -254,3 +254,36 @@ bmr_polygon *test_polygon(test_family family, size_t n, test_random *random) {
     free(points);
     return polygon;
 }
+
+bmr_polygon *test_moved_polygon(bmr_polygon *polygon, double scale, bmr_vec2 by) {
+    bmr_vec2 *points = polygon ? malloc(polygon->count * sizeof *points) : NULL;
+    bmr_polygon *moved = NULL;
+    for (uint32_t i = 0; points && i < polygon->count; ++i)
+        points[i] = bmr_add(bmr_scale(scale, polygon->vertices[i]), by);
+    if (!points || bmr_polygon_create(points, polygon->count, NULL, &moved) != BMR_OK)
+        abort();
+    free(points);
+    bmr_polygon_destroy(polygon, NULL);
+    return moved;
+}
+
+bmr_polygon *test_any_polygon(size_t most, test_random *random) {
+    const uint32_t kind = test_random_below(random, 20);
+    bmr_polygon *polygon = NULL;
+    if (kind < 2) {
+        bmr_vec2 ends[2];
+        for (int i = 0; i < 2; ++i) {
+            ends[i].x = test_random_uniform(random, -1.0, 1.0);
+            ends[i].y = test_random_uniform(random, -1.0, 1.0);
+        }
+        bmr_polygon_create(ends, kind + 1, NULL, &polygon);
+    } else {
+        const double n = exp(test_random_uniform(random, log(3.0), log((double)most + 1.0)));
+        polygon = test_polygon((test_family)test_random_below(random, TEST_FAMILY_COUNT), (size_t)n, random);
+    }
+    if (test_random_below(random, 4) > 0)
+        return polygon;
+    const double scale = exp(test_random_uniform(random, log(1e-3), log(1e3)));
+    const double away = scale * test_random_uniform(random, 0.0, 10.0);
+    return test_moved_polygon(polygon, scale, bmr_vec2_make(away, -away));
+}

@@ -47,6 +47,11 @@ size_t test_points(test_family family, size_t n, test_random *random, bmr_vec2 *
 
 /// The hull of test_points by malloc, and NULL only if that fails.
 bmr_polygon *test_polygon(test_family family, size_t n, test_random *random);
+/// Of any family with 3 to `most` vertices, small numbers as often as large ones; one in ten a point or a
+/// segment; one in four of another size and away from its frame's origin. Aborts where there is no memory.
+bmr_polygon *test_any_polygon(size_t most, test_random *random);
+/// Scaled and then moved. Takes the polygon.
+bmr_polygon *test_moved_polygon(bmr_polygon *polygon, double scale, bmr_vec2 by);
 
 /// Particular shapes; `points` has room for what is returned.
 size_t test_regular_points(size_t n, double radius, double phase, bmr_vec2 *points);

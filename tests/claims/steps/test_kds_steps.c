@@ -20,7 +20,7 @@ void __sanitizer_cov_trace_pc(void) {
     ++blocks;
 }
 
-/// Of one structure on polygons of one size.
+/// What the repairs of one structure ran and reported.
 typedef struct tally {
     double worst;   ///< the most blocks for a step in one start or repair
     double busiest; ///< the most blocks of one, whatever it reports
@@ -29,13 +29,13 @@ typedef struct tally {
 } tally;
 static tally now_at;
 
-static void note(uint64_t before, const bmr_kds_report *report) {
+static void note(tally *t, uint64_t before, double steps) {
     const double ran = (double)(blocks - before);
-    now_at.worst = fmax(now_at.worst, ran / report->touched);
-    now_at.busiest = fmax(now_at.busiest, ran);
-    now_at.blocks += ran;
-    now_at.steps += report->touched;
-    ++now_at.repairs;
+    t->worst = fmax(t->worst, ran / steps);
+    t->busiest = fmax(t->busiest, ran);
+    t->blocks += ran;
+    t->steps += steps;
+    ++t->repairs;
 }
 
 void __real_bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report);
@@ -43,7 +43,7 @@ void __wrap_bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *
 void __wrap_bmr_kds_start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
     const uint64_t before = blocks;
     __real_bmr_kds_start(kds, now, report);
-    note(before, report);
+    note(&now_at, before, report->touched);
 }
 
 void __real_bmr_kds_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report);
@@ -51,7 +51,7 @@ void __wrap_bmr_kds_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, 
 void __wrap_bmr_kds_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     const uint64_t before = blocks;
     __real_bmr_kds_repair(kds, now, failed, report);
-    note(before, report);
+    note(&now_at, before, report->touched);
 }
 
 static const size_t sizes[] = {12, 128, 2048};
@@ -98,68 +98,32 @@ TEST(no_repair_runs_more_than_a_constant_for_each_step_that_it_reports) {
     assert_true(busiest > 2.0 * MOST_BLOCKS); // control: that a repair is one step would be found out
 }
 
-/// What the repairs of sampled pairs ran and reported.
-typedef struct pair_tally {
-    double worst;   ///< the most blocks for a step in one repair
-    double busiest; ///< the most blocks of one, whatever it reports
-    double blocks, steps;
-    size_t repairs;
-} pair_tally;
-
-/// An ellipse and a regular polygon, for a pair of them.
-typedef struct couple {
-    test_random random;
-    test_body a, b;
-    bmr_shape shape_a, shape_b;
-    bmr_pair_def def;
-} couple;
-
-static couple couple_make(bmr_structure structure, size_t n, size_t m, uint64_t seed) {
-    couple c = {.random = {seed}, .def = bmr_default_pair_def()};
-    c.def.structure = structure;
-    c.a = test_body_make(test_polygon(TEST_ELLIPSE, n, &c.random), structure);
-    c.b = test_body_make(test_polygon(TEST_REGULAR, m, &c.random), structure);
-    c.shape_a = test_body_shape(&c.a);
-    c.shape_b = test_body_shape(&c.b);
-    return c;
+/// An ellipse and a regular polygon.
+static test_couple couple_make(bmr_structure structure, size_t n, size_t m, test_random *random) {
+    bmr_polygon *ellipse = test_polygon(TEST_ELLIPSE, n, random);
+    return test_couple_make(structure, ellipse, test_polygon(TEST_REGULAR, m, random));
 }
 
-static void couple_destroy(couple *c) {
-    test_body_destroy(&c->a);
-    test_body_destroy(&c->b);
-}
-
-#define own_couple OWNED(couple_destroy) couple
-
-static void step_pair(test_motion_kind kind, bmr_structure structure, size_t n, size_t m, uint64_t seed,
-                      pair_tally *t) {
-    own_couple c = couple_make(structure, n, m, seed);
-    bmr_pair pair;
-    bmr_pair_init(&pair);
-    test_motion motion = test_motion_make(kind, c.a.polygon, c.b.polygon, &c.random);
+static void step_pair(test_motion_kind kind, bmr_structure structure, size_t n, uint64_t seed, tally *t) {
+    test_random random = {seed};
+    own_couple c = couple_make(structure, n, n, &random);
+    test_motion motion = test_motion_make(kind, c.shape[0].polygon, c.shape[1].polygon, &random);
     for (int i = 0; i < 2000; ++i) {
-        const bmr_pose q = test_motion_next(&motion, &c.random);
-        bmr_counters counters = {0};
-        const bmr_observer observer = {&counters, NULL, NULL};
+        const bmr_pose q = test_motion_next(&motion, &random);
+        c.counters.steps = 0;
         const uint64_t before = blocks;
-        bmr_pair_advance(&pair, &c.def, &c.shape_a, &c.shape_b, &q, &observer, NULL);
-        const double ran = (double)(blocks - before), steps = (double)counters.steps;
-        if (counters.steps == 0)
-            continue; // the old proof held
-        t->worst = fmax(t->worst, ran / steps);
-        t->busiest = fmax(t->busiest, ran);
-        t->blocks += ran;
-        t->steps += steps;
-        ++t->repairs;
+        test_couple_advance(&c, &q, NULL);
+        if (c.counters.steps > 0) // else the old proof held
+            note(t, before, (double)c.counters.steps);
     }
 }
 
 TEST(no_step_of_a_pair_runs_more_than_a_constant_for_each_that_it_counts) {
     for (int s = 0; s < BMR_STRUCTURE_COUNT; ++s) {
-        pair_tally t = {0};
+        tally t = {0};
         for (size_t k = 0; k < SIZES; ++k)
             for (int kind = 0; kind < TEST_MOTION_KIND_COUNT; ++kind)
-                step_pair((test_motion_kind)kind, (bmr_structure)s, sizes[k], sizes[k], 1 + k, &t);
+                step_pair((test_motion_kind)kind, (bmr_structure)s, sizes[k], 1 + k, &t);
         printf("%s: %zu repairs, %.1f steps each, %.1f blocks a step, at most %.1f\n",
                bmr_structure_name((bmr_structure)s), t.repairs, t.steps / (double)t.repairs,
                t.blocks / t.steps, t.worst);
@@ -176,22 +140,21 @@ static double steps_of_coarsening(bmr_structure structure, size_t n, size_t m) {
     double steps = 0.0;
     size_t repairs = 0;
     for (uint64_t seed = 1; seed <= 10; ++seed) {
-        own_couple c = couple_make(structure, n, m, seed);
-        const bmr_polygon *a = c.a.polygon, *b = c.b.polygon;
-        const double direction = test_random_uniform(&c.random, 0.0, 6.28),
-                     angle = test_random_uniform(&c.random, 0.0, 6.28);
+        test_random random = {seed};
+        own_couple c = couple_make(structure, n, m, &random);
+        const bmr_polygon *a = c.shape[0].polygon, *b = c.shape[1].polygon;
+        const double direction = test_random_uniform(&random, 0.0, 6.28),
+                     angle = test_random_uniform(&random, 0.0, 6.28);
         for (int k = 0; k < 30; ++k) {
             const bmr_pose near = test_pose_at(a, b, direction, angle, 1e-5),
                            far = test_pose_at(a, b, direction + 0.05 + 0.1 * k, angle, 0.2);
-            bmr_pair pair;
-            bmr_pair_init(&pair);
-            bmr_pair_advance(&pair, &c.def, &c.shape_a, &c.shape_b, &near, NULL, NULL);
-            bmr_counters counters = {0};
-            const bmr_observer observer = {&counters, NULL, NULL};
-            bmr_pair_advance(&pair, &c.def, &c.shape_a, &c.shape_b, &far, &observer, NULL);
-            if (counters.events[BMR_EVENT_COARSEN] < 3)
+            bmr_pair_init(&c.pair);
+            test_couple_advance(&c, &near, NULL);
+            c.counters = (bmr_counters){0};
+            test_couple_advance(&c, &far, NULL);
+            if (c.counters.events[BMR_EVENT_COARSEN] < 3)
                 continue;
-            steps += (double)counters.steps;
+            steps += (double)c.counters.steps;
             ++repairs;
         }
     }
