@@ -3,7 +3,7 @@
 // all of its repairs take (tests/claims/steps shows that these are the time), as functions of the separation
 // and of the number of vertices.
 #include "checks.h"
-#include "kds_driver.h"
+#include "driven.h"
 #include "motions.h"
 
 #define VERTICES 1024
@@ -40,15 +40,11 @@ static cost mean_cost(const char *name, test_path_kind kind, bool rotates, size_
         own_kds_body b = info->domain == BMR_KDS_POINT
                              ? test_kds_point_make(0.0, 0.0)
                              : test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
-        bmr_kds_def def = bmr_default_kds_def();
-        def.margin = 1e-8;
         const double gap = 2.0 * a.polygon->radius * pow(10.0, -decade);
         const test_path path = test_path_make(kind, a.polygon, b.polygon, gap, rotates, &random);
         const test_drive how = {
-            .path = &path, .audit_every = 1000, .margin = def.margin, .on_event = add_steps, .context = &c};
-        own_kds *kds = made_kds(info, &def, &a.shape, &b.shape);
-        const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
-        assert_true(test_drive_is_sound(&r));
+            .path = &path, .audit_every = 1000, .margin = 1e-8, .on_event = add_steps, .context = &c};
+        const test_drive_result r = driven(name, &a, &b, &how);
         c.events += (double)test_drive_events(&r);
     }
     c.events /= SEEDS;
@@ -92,7 +88,7 @@ static cost check_orbit(const row *r, bool rotates) {
     printf("%s: orbit %.1f, %.1f events: exponent %.2f; %.0f, %.0f steps\n", r->name, far.events, near.events,
            exponent, far.steps, near.steps);
     if (r->a_root.events > 0.0)
-        assert_true(exponent >= 0.3 && exponent <= 0.65 && near.events <= r->a_root.events * root_of(NEAR));
+        assert_true(exponent >= 0.4 && exponent <= 0.65 && near.events <= r->a_root.events * root_of(NEAR));
     // Control: an orbit does not bend away.
     assert_true(near.events - far.events > r->a_decade.events * (NEAR - FAR));
     assert_true(near.steps - far.steps > r->a_decade.steps * (NEAR - FAR));
@@ -118,13 +114,24 @@ static void check_translations(const row *r) {
     }
 }
 
+/// Lemma 3.3(c): a convex curve at distance s meets O(log(D/s)) compass triangles.
+/// Lemma 3.4(c): a convex curve at distance s meets O(log(D/s)) Dudley triangles.
 /// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
+/// Measured: up to 2 events a decade. All structures of a point are here that are no rivals.
 TEST(all_repairs_of_a_point_take_the_logarithm_of_mu_or_mu) {
-    static const row rows[] = {{"triangle-levels-compass", {0.0, 20.0}, {0.0, 20.0}},
-                               {"triangle-binary-dudley", {0.0, 20.0}, {0.0, 20.0}},
-                               {"point-lazy-dudley", {0.0, 12.0}, {0.0, 15.0}}};
+    static const row rows[] = {{"triangle-levels-compass", {3.0, 20.0}, {5.0, 20.0}},
+                               {"triangle-levels-dudley", {3.0, 0.0}, {5.0, 0.0}},
+                               {"triangle-binary-dudley", {3.0, 20.0}, {5.0, 20.0}},
+                               {"point-lazy-dudley", {3.0, 12.0}, {5.0, 15.0}},
+                               {"point-inflated-compass", {3.0, 0.0}, {5.0, 0.0}},
+                               {"point-inflated-dudley", {3.0, 0.0}, {5.0, 0.0}},
+                               {"point-complex", {3.0, 0.0}, {5.0, 0.0}}};
     for (const row *r = rows; r < rows + COUNT_OF(rows); ++r)
         check_translations(r);
+    size_t of_points = 0;
+    for (size_t i = 0; i < bmr_kds_count(); ++i)
+        of_points += bmr_kds_at(i)->domain == BMR_KDS_POINT && bmr_kds_at(i)->role != BMR_KDS_RIVAL;
+    assert_int_equal(of_points, COUNT_OF(rows));
 }
 
 /// Theorem 5.2: translations: O(log min{n, D/s}) an event, O(log mu) or O(mu) events.

@@ -2,7 +2,7 @@
 // Theorem transpoly's other half: not how many events a translation has, but what each of them costs. A step
 // is a vertex, an edge, a node or a cell that is looked at (tests/claims/steps shows that this is the time).
 #include "checks.h"
-#include "kds_driver.h"
+#include "driven.h"
 
 static const size_t sizes[] = {64, 2048, 32768};
 /// D/s is 2 to the power of these.
@@ -61,19 +61,12 @@ static void follow(const char *name, const pairs *made, size_t i, int power, uin
     const test_path_kind kinds[] = {TEST_PATH_LINE, TEST_PATH_CUBIC};
     for (size_t k = 0; k < COUNT_OF(kinds); ++k) {
         test_random random = {seed};
-        bmr_kds_def def = bmr_default_kds_def();
-        def.margin = 1e-9;
         const bmr_polygon *a = made->a[i].polygon, *b = made->b[i].polygon;
         const test_path path =
             test_path_make(kinds[k], a, b, 2.0 * a->radius * pow(2.0, -power), false, &random);
         const test_drive how = {
-            .path = &path, .audit_every = 100000, .margin = def.margin, .on_event = weigh, .context = e};
-        own_kds *kds = NULL;
-        assert_int_equal(
-            bmr_kds_create(test_structure(name), &def, &made->a[i].shape, &made->b[i].shape, NULL, &kds),
-            BMR_OK);
-        const test_drive_result r = test_drive_run(kds, a, b, &how);
-        assert_true(test_drive_is_sound(&r));
+            .path = &path, .audit_every = 100000, .margin = 1e-9, .on_event = weigh, .context = e};
+        driven(name, &made->a[i], &made->b[i], &how);
     }
 }
 

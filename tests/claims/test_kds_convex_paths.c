@@ -3,9 +3,9 @@
 // straight or bent path. The free direction has an event at each edge; the structures that take a coarse line
 // have a logarithm of them, and each keeps the bound that is proved of it.
 #include "checks.h"
+#include "driven.h"
 #include "hierarchies.h"
 #include "kds/structure.h"
-#include "kds_driver.h"
 #include "motions.h"
 
 // --- Convex translations at mu = n: two polygons whose Minkowski difference is a chain of k edges that comes
@@ -119,14 +119,8 @@ typedef struct count {
 /// A sound run, to the end or to the first contact.
 static test_drive_result drive(const char *name, double margin, const test_kds_body *a,
                                const test_kds_body *b, const test_path *path) {
-    bmr_kds_def def = bmr_default_kds_def();
-    def.margin = margin;
-    bmr_kds *kds = made_kds(test_structure(name), &def, &a->shape, &b->shape);
     const test_drive how = {.path = path, .audit_every = 100, .margin = margin, .stop_at_contact = true};
-    const test_drive_result r = test_drive_run(kds, a->polygon, b->polygon, &how);
-    bmr_kds_destroy(kds, NULL);
-    assert_true(test_drive_is_sound(&r));
-    return r;
+    return driven(name, a, b, &how);
 }
 
 static count run(const char *name, const test_kds_body *a, const test_kds_body *b, const test_path *path) {

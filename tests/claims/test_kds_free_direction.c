@@ -3,8 +3,8 @@
 // no more distance than its place on the line times the sine of the turn; on a path that bends away distance
 // and slope of approach together are down to a quarter; so events are few.
 #include "checks.h"
+#include "driven.h"
 #include "hierarchies.h"
-#include "kds_driver.h"
 #include "motions.h"
 
 /// The vertices and the distance are double; slopes of the path near zero are not looked at.
@@ -93,16 +93,12 @@ static approach drive(const char *name, test_path_kind kind, size_t rounds, uint
         const double gap =
             (a.polygon->radius + b.polygon->radius) * pow(10.0, -test_random_uniform(&random, 0.0, 4.0));
         const test_path path = test_path_make(kind, a.polygon, b.polygon, gap, false, &random);
-        own_kds *kds = NULL;
-        const bmr_kds_def def = bmr_default_kds_def();
-        assert_int_equal(bmr_kds_create(test_structure(name), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
         p.a = a.polygon;
         p.b = b.polygon;
         p.slope = 0.0;
         p.known = false;
-        const test_drive d = {&path, 0.0, 0, 0.0, true, look, &p};
-        const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &d);
-        assert_true(test_drive_is_sound(&r));
+        const test_drive d = {.path = &path, .stop_at_contact = true, .on_event = look, .context = &p};
+        const test_drive_result r = driven(name, &a, &b, &d);
         const unsigned events = (unsigned)test_drive_events(&r);
         if (events > *most_events)
             *most_events = events;
@@ -176,11 +172,8 @@ TEST(a_chain_costs_as_many_events_as_are_proved) {
     bmr_polygon *polygon = made_polygon(points, CHAIN + 3);
     own_kds_body a = test_kds_body_make(polygon), b = test_kds_point_make(0.0, 0.0);
     const test_path path = {.cubic = {{0.0, 1.0}, {way, -way}}};
-    const bmr_kds_def def = bmr_default_kds_def();
-    own_kds *kds = made_kds(test_structure("free-fd2"), &def, &a.shape, &b.shape);
     const test_drive d = {.path = &path};
-    const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &d);
-    assert_true(test_drive_is_sound(&r));
+    const test_drive_result r = driven("free-fd2", &a, &b, &d);
     const approach p = {.a = a.polygon, .b = b.polygon};
     const double bound = log2(ratio_of(&p, r.nearest));
     const unsigned events = (unsigned)test_drive_events(&r);
@@ -240,15 +233,11 @@ static hold hold_of(const char *name) {
         const double gap =
             (a.polygon->radius + b.polygon->radius) * pow(10.0, -test_random_uniform(&random, 0.0, 3.0));
         const test_path path = test_path_make(TEST_PATH_WANDER, a.polygon, b.polygon, gap, true, &random);
-        own_kds *kds = NULL;
-        const bmr_kds_def def = bmr_default_kds_def();
-        assert_int_equal(bmr_kds_create(test_structure(name), &def, &a.shape, &b.shape, NULL, &kds), BMR_OK);
         h.a = a.polygon;
         h.b = b.polygon;
         const test_drive d = {
             .path = &path, .on_event = look_at_hold, .context = &h, .stop_at_contact = true};
-        const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &d);
-        assert_true(test_drive_is_sound(&r));
+        driven(name, &a, &b, &d);
     }
     return h;
 }

@@ -4,10 +4,10 @@
 // line costs, and that the cells between the envelopes tile the plane there. Each claim with a control that
 // shows that the check can fail.
 #include "checks.h"
+#include "driven.h"
 #include "hierarchies.h"
 #include "kds/point.h"
 #include "kds/point_inflated.h"
-#include "kds_driver.h"
 #include "motions.h"
 
 // --- a point that passes a polygon, and the structure that follows it ---
@@ -16,11 +16,6 @@
 static uint64_t seeds(size_t count) {
     const size_t scaled = test_scaled(count);
     return scaled > count / 2 ? scaled : count / 2;
-}
-
-static bmr_kds *made(const char *name, const bmr_kds_def *def, const test_kds_body *a,
-                     const test_kds_body *b) {
-    return made_kds(test_structure(name), def, &a->shape, &b->shape);
 }
 
 /// A pair's own memory where the polygon's chains are shared.
@@ -42,14 +37,14 @@ typedef struct pass {
 
 static test_drive_result drive(const char *name, const pass *p) {
     test_random random = {p->seed};
-    test_kds_body a = test_kds_body_make(test_polygon(p->family, p->n, &random));
-    test_kds_body b = test_kds_point_make(0.0, 0.0);
+    own_kds_body a = test_kds_body_make(test_polygon(p->family, p->n, &random));
+    own_kds_body b = test_kds_point_make(0.0, 0.0);
     const test_path path =
         test_path_make(p->kind, a.polygon, b.polygon, 2.0 * p->gap * a.polygon->radius, false, &random);
     const test_drive how = {.path = &path,
                             .resolution = 1e-6,
                             .audit_every = 64,
-                            .margin = p->def.margin,
+                            .def = &p->def,
                             .on_event = p->on_event,
                             .context = p->context};
     const int kind = test_structure(name)->hierarchy;
@@ -57,16 +52,11 @@ static test_drive_result drive(const char *name, const pass *p) {
     if (p->shares_chains) {
         assert_int_equal(bmr_chains_create(a.hierarchies[kind], NULL, &chains), BMR_OK);
         a.shape.chains[kind] = chains;
-    }
-    bmr_kds *kds = made(name, &p->def, &a, &b);
-    if (p->shares_chains)
+        own_kds *kds = made_kds(test_structure(name), &p->def, &a.shape, &b.shape);
         assert_true(bmr_kds_bytes(kds) <= MOST_PAIR_BYTES && bmr_chains_bytes(chains) > MOST_PAIR_BYTES);
-    const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
-    assert_true(test_drive_is_sound(&r));
-    bmr_kds_destroy(kds, NULL);
+    }
+    const test_drive_result r = driven(name, &a, &b, &how);
     bmr_chains_destroy(chains, NULL);
-    test_kds_body_destroy(&a);
-    test_kds_body_destroy(&b);
     return r;
 }
 
@@ -257,43 +247,6 @@ TEST(chains_of_another_hierarchy_are_refused) {
     c.shape.chains[BMR_HIERARCHY_DUDLEY] = chains; // control
     assert_int_equal(bmr_kds_create(info, &def, &c.shape, &b.shape, NULL, &kds), BMR_OK);
     bmr_chains_destroy(chains, NULL);
-}
-
-/// Mean number of events at a separation of 10^-decade diameters.
-static double mean_events(const char *name, test_path_kind kind, int decade) {
-    const int count = 4;
-    double events = 0.0;
-    for (int seed = 1; seed <= count; ++seed) {
-        pass p = pass_make(TEST_REGULAR, 1024, kind, pow(10.0, -decade), (uint64_t)seed);
-        p.def.margin = 1e-7;
-        const test_drive_result r = drive(name, &p);
-        events += (double)test_drive_events(&r) / count;
-    }
-    return events;
-}
-
-/// Lemma 3.3(c): a convex curve at distance s meets O(log(D/s)) compass triangles.
-/// Lemma 3.4(c): a convex curve at distance s meets O(log(D/s)) Dudley triangles.
-/// Theorem 5.1: a point: O(min{log log n, log(D/s)}) an event, O(log mu) or O(mu) events.
-/// Theorem ptpoly. Measured: 1 to 2 events for each decade of D / sigma on convex paths, and an exponent of
-/// 0.5 on orbits.
-TEST(events_grow_logarithmically_on_convex_paths_and_with_the_square_root_on_orbits) {
-    for (size_t i = 0; i < bmr_kds_count(); ++i) {
-        const bmr_kds_info *info = bmr_kds_at(i);
-        if (info->domain != BMR_KDS_POINT || info->role == BMR_KDS_RIVAL)
-            continue;
-        const double line =
-            mean_events(info->name, TEST_PATH_LINE, 4) - mean_events(info->name, TEST_PATH_LINE, 1);
-        const double parabola =
-            mean_events(info->name, TEST_PATH_PARABOLA, 4) - mean_events(info->name, TEST_PATH_PARABOLA, 1);
-        assert_true(line / 3.0 <= 3.0 && parabola / 3.0 <= 3.0); // a decade
-        assert_true(line > 0.0);
-        const double near = mean_events(info->name, TEST_PATH_ORBIT, 4);
-        const double exponent = log10(near / mean_events(info->name, TEST_PATH_ORBIT, 2)) / 2.0;
-        assert_true(exponent >= 0.4 && exponent <= 0.65);
-        assert_true(near <= 5.0 * 100.0);        // 5 sqrt(D / sigma)
-        assert_true(near > 10.0 * (line + 3.0)); // the control: an orbit is no convex path
-    }
 }
 
 // --- section 6 ---
@@ -564,7 +517,7 @@ TEST(the_inflated_complex_tiles_what_is_between_its_outermost_polygon_and_the_in
                 own_kds_body a = test_kds_body_make(test_polygon((test_family)family, n, &random));
                 own_kds_body b = test_kds_point_make(0.0, 0.0);
                 const bmr_kds_def def = bmr_default_kds_def();
-                own_kds *kds = made("point-complex", &def, &a, &b);
+                own_kds *kds = made_kds(test_structure("point-complex"), &def, &a.shape, &b.shape);
                 double missing;
                 look_at_complex(kds, &random, false, &missing);
                 assert_true(missing <= 1e-10);

@@ -2,8 +2,8 @@
 // What boomerang/kds.h promises of every structure, each on the motions that it is for.
 #include "boomerang/kds.h"
 #include "checks.h"
+#include "driven.h"
 #include "kds/point.h"
-#include "kds_driver.h"
 #include "motions.h"
 
 static test_kds_body regular(size_t n) {
@@ -347,9 +347,7 @@ static void look_at_coarsening(void *context, const test_drive_event *event) {
 TEST(a_coarser_line_after_a_roll_proves_a_good_part) {
     for (size_t i = 0; i < NAMES; ++i) {
         test_random random = {505};
-        bmr_kds_def def = bmr_default_kds_def();
-        def.margin = 1e-7;
-        coarsenings all = {.margin = def.margin};
+        coarsenings all = {.margin = 1e-7};
         for (int round = 0; round < 4; ++round) {
             own_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, 1024, &random));
             own_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, 1024, &random));
@@ -357,12 +355,10 @@ TEST(a_coarser_line_after_a_roll_proves_a_good_part) {
                                                   0.02 * a.polygon->radius, true, &random);
             const test_drive how = {.path = &path,
                                     .audit_every = 1000,
-                                    .margin = def.margin,
+                                    .margin = all.margin,
                                     .on_event = look_at_coarsening,
                                     .context = &all};
-            own_kds *kds = made_kds(test_structure(names[i]), &def, &a.shape, &b.shape);
-            const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
-            assert_true(test_drive_is_sound(&r));
+            driven(names[i], &a, &b, &how);
         }
         assert_int_equal(all.thin, 0);
         assert_true(all.poorer > 0); // the control: some prove less than all

@@ -4,10 +4,10 @@
 // each of these fails at most ceil(a/2) times where heights have at most a zeros. Also what becomes of a spin
 // that is over, and where coarse lines of bodies that turn fail (Lemma C).
 #include "checks.h"
+#include "driven.h"
 #include "hierarchies.h"
 #include "kds/structure.h"
 #include "kds/windowed_line.h"
-#include "kds_driver.h"
 #include "motions.h"
 
 #define PI 3.14159265358979323846
@@ -135,9 +135,6 @@ static void follow(const test_kds_body *a, const test_kds_body *b, const test_pa
     static const char *const names[] = {"free-fd2", "hybrid", "two-lines"};
     const double n = (double)a->polygon->count + b->polygon->count;
     for (int k = 0; k < 3; ++k) {
-        bmr_kds_def def = bmr_default_kds_def();
-        def.margin = MARGIN;
-        own_kds *kds = made_kds(test_structure(names[k]), &def, &a->shape, &b->shape);
         const bmr_pose start = test_path_at(path, 0.0).pose;
         account c = {.all = all_directions(a->polygon, b->polygon, &start), .three = three_directions()};
         c.slop = ROUNDING * (a->polygon->extent + b->polygon->extent);
@@ -147,8 +144,7 @@ static void follow(const test_kds_body *a, const test_kds_body *b, const test_pa
                                 .stop_at_contact = true,
                                 .on_event = look,
                                 .context = &c};
-        const test_drive_result r = test_drive_run(kds, a->polygon, b->polygon, &how);
-        assert_true(test_drive_is_sound(&r));
+        const test_drive_result r = driven(names[k], a, b, &how);
         if (r.events[BMR_KDS_CONTACT] > 0)
             return;
         const double events = (double)test_drive_events(&r);
@@ -307,13 +303,9 @@ TEST(a_coarse_line_fails_at_parallel_edges_or_at_right_angles) {
     for (int i = 0; i < 8; ++i) {
         test_path path = {
             .cubic = {{0.1 * i, 1.3 + 0.2 * i}}, .angle = 0.1 + 0.3 * i, .spin = 2.0 * PI * turns};
-        bmr_kds_def def = bmr_default_kds_def();
-        def.margin = MARGIN;
-        own_kds *kds = made_kds(test_structure("coarse"), &def, &a.shape, &b.shape);
         angles c = {.bodies = {a.polygon, b.polygon}};
         const test_drive how = {.path = &path, .margin = MARGIN, .on_event = look_at_angle, .context = &c};
-        const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
-        assert_true(test_drive_is_sound(&r));
+        driven("coarse", &a, &b, &how);
         assert_int_equal(c.odd, 0);
         assert_true((double)c.right <= 4.0 * turns);
         right += c.right;

@@ -71,8 +71,9 @@ typedef struct test_drive {
     double resolution;
     /// Audit at every so many steps between events, beside the events themselves; 0: 16.
     unsigned audit_every;
-    /// The structure's margin; 0: that of bmr_default_kds_def.
+    /// The structure's margin; 0: that of its definition.
     double margin;
+    const bmr_kds_def *def; ///< NULL: bmr_default_kds_def
     /// Stop at the first contact.
     bool stop_at_contact;
     void (*on_event)(void *context, const test_drive_event *event);
@@ -97,8 +98,6 @@ typedef struct test_drive_result {
 /// Starts the structure at time 0 and takes it to time 1.
 test_drive_result test_drive_run(bmr_kds *kds, const bmr_polygon *a, const bmr_polygon *b,
                                  const test_drive *drive);
-/// Nothing wrong with it?
-bool test_drive_is_sound(const test_drive_result *result);
 /// Is the condition among those that it waits for?
 bool test_waits_for(const bmr_kds *kds, const bmr_condition *condition);
 /// Repairs, not counting NONE, starts and contacts.

@@ -3,7 +3,7 @@
 // basic block, and the blocks that were run are at most a constant times the steps, for every structure,
 // every single repair, and polygons of any size.
 #include "checks.h"
-#include "kds_driver.h"
+#include "driven.h"
 #include "motions.h"
 
 /// Blocks for each step reported, at most. Measured: 8 to 42 on average, 141 at most (a rival's walk by one
@@ -70,10 +70,7 @@ static void drive(const bmr_kds_info *info, size_t n, uint64_t seed) {
     const bool turns = info->domain == BMR_KDS_RIGID && info->role != BMR_KDS_RIVAL;
     const test_path path = test_path_make(kind, a.polygon, b.polygon, 1e-3, turns, &random);
     const test_drive how = {.path = &path, .audit_every = 100000};
-    const bmr_kds_def def = bmr_default_kds_def();
-    own_kds *kds = made_kds(info, &def, &a.shape, &b.shape);
-    const test_drive_result r = test_drive_run(kds, a.polygon, b.polygon, &how);
-    assert_true(test_drive_is_sound(&r));
+    driven(info->name, &a, &b, &how);
 }
 
 TEST(no_repair_runs_more_than_a_constant_for_each_step_that_it_reports) {
