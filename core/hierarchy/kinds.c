@@ -16,13 +16,11 @@ static bmr_error build_dobkin_kirkpatrick(const bmr_polygon *polygon, const bmr_
 
 /// One row for each kind, in the order of bmr_hierarchy_kind.
 static const struct kind {
-    const char *name;
     bmr_error (*build)(const bmr_polygon *, const bmr_compass *, const bmr_allocator *, bmr_hierarchy **);
     bool uses_compass;
     uint32_t more_levels; ///< than a balanced tree of the polygon's edges may have, and the compass's own
-} kinds[BMR_HIERARCHY_KIND_COUNT] = {{"compass", bmr_hierarchy_build_compass, true, 0},
-                                     {"dudley", build_dudley, false, 1},
-                                     {"dobkin-kirkpatrick", build_dobkin_kirkpatrick, false, 0}};
+} kinds[BMR_HIERARCHY_KIND_COUNT] = {
+    {bmr_hierarchy_build_compass, true, 0}, {build_dudley, false, 1}, {build_dobkin_kirkpatrick, false, 0}};
 
 static const struct kind *row_of(bmr_hierarchy_kind kind) {
     return (unsigned)kind < BMR_HIERARCHY_KIND_COUNT ? &kinds[kind] : NULL;
@@ -37,11 +35,6 @@ bmr_error bmr_hierarchy_build(bmr_hierarchy_kind kind, const bmr_polygon *polygo
 bool bmr_hierarchy_uses_compass(bmr_hierarchy_kind kind) {
     const struct kind *row = row_of(kind);
     return row && row->uses_compass;
-}
-
-const char *bmr_hierarchy_kind_name(bmr_hierarchy_kind kind) {
-    const struct kind *row = row_of(kind);
-    return row ? row->name : NULL;
 }
 
 uint32_t bmr_tree_most_levels(const bmr_hierarchy *hierarchy) {

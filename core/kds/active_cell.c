@@ -468,20 +468,15 @@ static void set_rotation(bmr_kds *kds, const bmr_pose *ahead) {
     s->tile = bmr_mixed_tiling_find(s->tiling, &s->held.cell);
 }
 
-static bool find(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
+static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
     cell_state *s = state_of(kds);
+    s->held.mixed.steps = kds->steps;
     const bmr_pose ahead = look_ahead(s, now, NULL), q = held_displaced(&s->held, &ahead);
     set_rotation(kds, &q);
-    if (!find_by_closest(kds, NULL, now, q.position, &report->touched))
-        return false;
-    report->level_after = level_of(s);
-    return true;
-}
-
-static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
-    state_of(kds)->held.mixed.steps = kds->steps;
-    const bool apart = find(kds, now, report);
-    state_of(kds)->held.mixed.steps = NULL;
+    const bool apart = find_by_closest(kds, NULL, now, q.position, &report->touched);
+    if (apart)
+        report->level_after = level_of(s);
+    s->held.mixed.steps = NULL;
     return apart;
 }
 

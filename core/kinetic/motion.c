@@ -99,12 +99,22 @@ static bmr_instant algebraic_instant(const bmr_algebraic_piece *p, double u) {
     return now;
 }
 
+static bmr_pose screw_pose(const bmr_screw_motion *motion, double time) {
+    const double angle = motion->spin * time;
+    const double c = cos(angle), s = sin(angle);
+    bmr_pose pose;
+    pose.position = bmr_add(motion->start.position, bmr_scale(time, motion->velocity));
+    pose.c = c * motion->start.c - s * motion->start.s;
+    pose.s = s * motion->start.c + c * motion->start.s;
+    return pose;
+}
+
 bmr_instant bmr_piece_instant(const bmr_motion_piece *piece, double time) {
     const double u = time - piece->origin;
     if (piece->kind == BMR_PIECE_ALGEBRAIC)
         return algebraic_instant(&piece->as.algebraic, u);
     const bmr_screw_motion *screw = &piece->as.screw;
-    const bmr_instant now = {bmr_screw_motion_pose(screw, u), screw->velocity, screw->spin};
+    const bmr_instant now = {screw_pose(screw, u), screw->velocity, screw->spin};
     return now;
 }
 
@@ -215,16 +225,6 @@ double bmr_motion_piece_speed(const bmr_motion_piece *piece, double from, double
 
 /// Room for pieces is doubled from here.
 #define FIRST_CAPACITY 2
-
-bmr_pose bmr_screw_motion_pose(const bmr_screw_motion *motion, double time) {
-    const double angle = motion->spin * time;
-    const double c = cos(angle), s = sin(angle);
-    bmr_pose pose;
-    pose.position = bmr_add(motion->start.position, bmr_scale(time, motion->velocity));
-    pose.c = c * motion->start.c - s * motion->start.s;
-    pose.s = s * motion->start.c + c * motion->start.s;
-    return pose;
-}
 
 bmr_motion_piece bmr_piece_rest(bmr_pose pose) {
     return bmr_piece_screw(0.0, pose, bmr_vec2_make(0.0, 0.0), 0.0);

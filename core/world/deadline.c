@@ -82,7 +82,7 @@ double bmr_disks_reach(const bmr_world *w, const bmr_body_pair *c) {
     const bmr_vec2 b = wall ? w->def.high : bmr_path_position(&c->side[1]->now.piece, epoch);
     const bmr_vec2 shift = bmr_body_pair_shift(w, c);
     const double places = fabs(a.x) + fabs(a.y) + fabs(b.x) + fabs(b.y) + fabs(shift.x) + fabs(shift.y);
-    const double sum = c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius) + 2.0 * w->def.kds.margin;
+    const double sum = c->side[0]->radius + c->side[1]->radius + 2.0 * w->def.kds.margin;
     return REACH_PART * sum + BMR_PLACE_ROUNDING * places;
 }
 

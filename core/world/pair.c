@@ -54,9 +54,8 @@
 static double natural_time(const bmr_world *w, const bmr_body_pair *c, const bmr_pair_motion *motion,
                            double time) {
     const bmr_instant now = bmr_pair_instant(motion, time);
-    const bool wall = bmr_body_is_wall(c->side[1]);
-    const double speed =
-        bmr_length(now.velocity) + fabs(now.spin) * (c->side[0]->radius + (wall ? 0.0 : c->side[1]->radius));
+    const double radii = c->side[0]->radius + c->side[1]->radius; // a wall's is 0
+    const double speed = bmr_length(now.velocity) + fabs(now.spin) * radii;
     const double scale = bmr_disks_reach(w, c) / speed;
     return scale > 0.0 && scale < INFINITY ? scale : fmax(1.0, fabs(time));
 }
@@ -119,14 +118,6 @@ static double speed_over(const bmr_pair_motion *motion, double from, double to) 
 /// Until when (and since when) the clock can tell the times of a pair of such a speed apart.
 static double clock_end(const bmr_world *w, double speed) {
     return w->def.kds.margin / (CLOCK_ROUNDINGS * DBL_EPSILON * speed);
-}
-
-/// Is the clock too coarse, at the present time, for the speeds of the two?
-static bool too_fast(const bmr_world *w, const bmr_body_pair *c) {
-    bmr_pair_view view;
-    const bmr_pair_motion motion = bmr_body_pair_motion(w, c, &view);
-    const double speed = speed_over(&motion, w->time, nextafter(w->time, INFINITY));
-    return !(fabs(w->time) < clock_end(w, speed));
 }
 
 /// The first failure of the structure's conditions, or the end of a contact that was passed, in (from, to].
@@ -383,7 +374,10 @@ static double separation(const bmr_world *w, const bmr_body_pair *c, double time
 
 /// The disks have met: a structure begins.
 static bmr_error meet(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches) {
-    if (too_fast(w, c))
+    bmr_pair_view view;
+    const bmr_pair_motion motion = bmr_body_pair_motion(w, c, &view);
+    // Is the clock too coarse, at the present time, for the speeds of the two?
+    if (!(fabs(w->time) < clock_end(w, speed_over(&motion, w->time, nextafter(w->time, INFINITY)))))
         return bmr_body_pair_stop(w, c, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_SPEED);
     bmr_near *const n = bmr_world_take(w, sizeof *n);
     if (!n)

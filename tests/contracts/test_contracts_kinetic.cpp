@@ -195,14 +195,6 @@ TEST_CASE("boomerang/motion.h") {
             return Word(bmr_motion_piece_speed(&piece, 0.0, 1.0, 1.0));
         },
         "finite");
-    Row(
-        "bmr_screw_motion_pose",
-        [](Asked &ask) {
-            const bmr_screw_motion motion = {kSlanted, {1, 0}, 1.0};
-            const double time = ask.Number("time", 1, Gives("NaN", {kNaN, kInfinity}));
-            return Word(bmr_screw_motion_pose(&motion, time).c);
-        },
-        "finite");
 }
 
 TEST_CASE("boomerang/failure.h, boomerang/time_of_contact.h") {

@@ -177,8 +177,9 @@ private:
 
     /// Straight at the other, by about what is left.
     void HeadOn(Body *body, const Body &other) {
-        const double by = bmr_budget_left(deadline_, bodies_[0].mover.moved, bodies_[1].mover.moved) +
-                          fuzz_in(bytes_, -3.0, 3.0);
+        const uint32_t moved[2] = {bodies_[0].mover.moved, bodies_[1].mover.moved};
+        const bool due = bmr_budget_is_due(deadline_, moved[0], moved[1]);
+        const double by = (due ? 0u : deadline_ - moved[0] - moved[1]) + fuzz_in(bytes_, -3.0, 3.0);
         const bmr_vec2 p = bmr_transform(&body->pose, body->points[0]),
                        q = bmr_transform(&other.pose, other.points[0]), way = bmr_sub(q, p);
         const double length = std::hypot(way.x, way.y);

@@ -174,11 +174,6 @@ static inline bool bmr_budget_is_due(uint32_t deadline, uint32_t moved_a, uint32
     return left - 1u >= 0x7fffffffu; // 0, or negative as a signed number
 }
 
-/// The rest of the budget, in units; 0 if the pair is due.
-static inline uint32_t bmr_budget_left(uint32_t deadline, uint32_t moved_a, uint32_t moved_b) {
-    return bmr_budget_is_due(deadline, moved_a, moved_b) ? 0u : deadline - moved_a - moved_b;
-}
-
 /// A certificate's line. It gives a pair its next deadline without the geometry. The direction is fixed in
 /// the world: a pair that slides along it, or parts, is renewed for ever, and only turning uses the line up.
 /// 12 bytes.

@@ -89,8 +89,6 @@ bmr_error bmr_hierarchy_build(bmr_hierarchy_kind kind, const bmr_polygon *polygo
                               const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
 /// Does bmr_hierarchy_build need a compass for it?
 bool bmr_hierarchy_uses_compass(bmr_hierarchy_kind kind);
-/// "compass", "dudley", "dobkin-kirkpatrick"; NULL for anything else.
-const char *bmr_hierarchy_kind_name(bmr_hierarchy_kind kind);
 /// NULL is no error.
 void bmr_hierarchy_destroy(bmr_hierarchy *hierarchy, const bmr_allocator *allocator);
 

@@ -25,12 +25,9 @@ extern "C" {
 typedef struct bmr_screw_motion {
     bmr_pose start;    ///< the pose at time 0
     bmr_vec2 velocity; ///< of the origin, length units per unit of time
-    double spin;       ///< counter-clockwise, radians per unit of time
+    double
+        spin; ///< counter-clockwise, radians per unit of time; the angle turned is spin * time, rounded once
 } bmr_screw_motion;
-
-/// The pose at `time`, which may be negative. (c, s) is as far from unit length as the start's, up to two
-/// roundings. The angle turned is spin * time, rounded once. A NaN or an infinity gives NaN. O(1).
-bmr_pose bmr_screw_motion_pose(const bmr_screw_motion *motion, double time);
 
 /// The highest degree of a coordinate polynomial of an algebraic piece, and of each of the two polynomials of
 /// its rational rotation.
