@@ -49,16 +49,6 @@
     HOOK(SetFilterData, b2Fixture::SetFilterData, _ZN9b2Fixture13SetFilterDataERK8b2Filter, kAny, void,      \
          (b2Fixture * fixture, const b2Filter &filter), fixture->BmrStockSetFilterData(filter))
 
-#define BMR_HOOKS_OF_b2_dynamic_tree(HOOK)                                                                   \
-    HOOK(CreateProxy, b2DynamicTree::CreateProxy, _ZN13b2DynamicTree11CreateProxyERK6b2AABBPv, kAny, int32,  \
-         (b2DynamicTree * tree, const b2AABB &aabb, void *userData),                                         \
-         tree->BmrStockCreateProxy(aabb, userData))                                                          \
-    HOOK(DestroyProxy, b2DynamicTree::DestroyProxy, _ZN13b2DynamicTree12DestroyProxyEi, kAny, void,          \
-         (b2DynamicTree * tree, int32 proxy), tree->BmrStockDestroyProxy(proxy))                             \
-    HOOK(MoveProxy, b2DynamicTree::MoveProxy, _ZN13b2DynamicTree9MoveProxyEiRK6b2AABBRK6b2Vec2, kHeard,      \
-         bool, (b2DynamicTree * tree, int32 proxy, const b2AABB &aabb, const b2Vec2 &displacement),          \
-         tree->BmrStockMoveProxy(proxy, aabb, displacement))
-
 #define BMR_HOOKS_OF_b2_time_of_impact(HOOK)                                                                 \
     HOOK(TimeOfImpact, b2TimeOfImpact, _Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput, kAny, void,           \
          (b2TOIOutput * output, const b2TOIInput *input), BmrStockTimeOfImpact(output, input))
@@ -74,8 +64,7 @@
 
 #define BMR_HOOKS(HOOK)                                                                                      \
     BMR_HOOKS_OF_b2_world(HOOK) BMR_HOOKS_OF_b2_contact_manager(HOOK) BMR_HOOKS_OF_b2_fixture(HOOK)          \
-        BMR_HOOKS_OF_b2_dynamic_tree(HOOK) BMR_HOOKS_OF_b2_time_of_impact(HOOK)                              \
-            BMR_HOOKS_OF_b2_distance(HOOK)
+        BMR_HOOKS_OF_b2_time_of_impact(HOOK) BMR_HOOKS_OF_b2_distance(HOOK)
 
 /// A declaration or a definition of bmr::stock's function.
 #define BMR_DECLARE_STOCK(name, function, symbol, heard, result, parameters, renamed) result name parameters;

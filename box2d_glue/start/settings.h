@@ -63,12 +63,6 @@ inline bool PassesRun(HookOf hook) {
     return false;
 }
 
-/// Is nothing installed, nor looked for? Then hooks have nothing to do but for big polygons. One load and a
-/// test: the first line of hooks that are called many times a step.
-inline bool NothingIsInstalled() {
-    return BMR_RARELY(internal::state.load(std::memory_order_acquire) == internal::State::Nothing);
-}
-
 /// Is every answer to be compared with Box2D's?
 inline bool Verifying() {
     return GetSettings().options.mode == Mode::Verify;

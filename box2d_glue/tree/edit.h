@@ -14,8 +14,8 @@ class b2BroadPhase;
 class b2Fixture;
 
 /// @file
-/// Leaves are put into a b2DynamicTree, taken out and moved as Box2D does it: every field of every node, the
-/// list of free nodes and the tree's own members are left with the same bits.
+/// A leaf of a b2DynamicTree is moved as Box2D does it: every field of every node and the tree's own members
+/// are left with the same bits.
 
 namespace bmr::tree {
 
@@ -23,15 +23,14 @@ namespace bmr::tree {
 struct TreeMembers {
     b2TreeNode *nodes;
     int32 capacity;
-    int32 *root, *nodeCount, *freeList, *insertionCount;
+    int32 *root, *insertionCount;
 };
 
 } // namespace bmr::tree
 
 template <> inline void b2DynamicTree::Query(bmr::tree::TreeMembers *out, const b2AABB &) const {
     auto *self = const_cast<b2DynamicTree *>(this);
-    *out = {m_nodes,           m_nodeCapacity,         &self->m_root, &self->m_nodeCount,
-            &self->m_freeList, &self->m_insertionCount};
+    *out = {m_nodes, m_nodeCapacity, &self->m_root, &self->m_insertionCount};
 }
 
 namespace bmr::tree {
@@ -83,77 +82,22 @@ public:
         return 0 <= id && id < m_tree.capacity && m_nodes[id].IsLeaf() && m_nodes[id].height == 0;
     }
 
-    /// Are there two nodes for the next leaf, it and a parent? Where there are not, Box2D's allocator is
-    /// asked for more.
-    bool HasRoom() const {
-        return *m_tree.freeList != b2_nullNode && m_nodes[*m_tree.freeList].next != b2_nullNode;
-    }
-
-    /// The rest of b2DynamicTree::CreateProxy; `fat` is finite. HasRoom().
-    int32 Create(const b2AABB &fat, void *userData) {
-        const int32 leaf = Allocate();
-        b2TreeNode &node = m_nodes[leaf];
-        node.aabb = fat;
-        node.userData = userData;
-        node.moved = true;
-        PutIn(leaf);
-        return leaf;
-    }
-
-    /// b2DynamicTree::DestroyProxy of a leaf that is in the tree.
-    void Destroy(int32 leaf) {
-        if (leaf == *m_tree.root)
-            *m_tree.root = b2_nullNode;
-        else
-            Refit(TakeOut(leaf));
-        Free(leaf);
-    }
-
-    /// The rest of b2DynamicTree::MoveProxy of a leaf that is in the tree; `fat` is finite. Taking the leaf
-    /// out frees the node that putting it in asks for.
+    /// The rest of b2DynamicTree::MoveProxy of a leaf that is in the tree; `fat` is finite. Box2D frees the
+    /// leaf's parent, and the first free node, which is that one, becomes its parent again.
     void Move(int32 leaf, const b2AABB &fat) {
         b2TreeNode &node = m_nodes[leaf];
         node.aabb = fat;
         node.moved = true;
-        if (leaf == *m_tree.root) {
-            InsertRoot(leaf);
+        ++*m_tree.insertionCount;
+        if (leaf == *m_tree.root)
             return;
-        }
+        const int32 parent = node.parent;
         Refit(TakeOut(leaf));
-        PutIn(leaf);
+        const LeafBox box(BoxOf(fat));
+        Insert(leaf, parent, FindSibling(box, Root(box)));
     }
 
 private:
-    void PutIn(int32 leaf) {
-        const LeafBox box(BoxOf(m_nodes[leaf].aabb));
-        if (*m_tree.root == b2_nullNode)
-            InsertRoot(leaf);
-        else
-            Insert(leaf, FindSibling(box, Root(box)));
-    }
-
-    int32 Allocate() {
-        const int32 id = *m_tree.freeList;
-        b2TreeNode &node = m_nodes[id];
-        *m_tree.freeList = node.next;
-        node.parent = b2_nullNode;
-        node.child1 = b2_nullNode;
-        node.child2 = b2_nullNode;
-        node.height = 0;
-        node.userData = nullptr;
-        node.moved = false;
-        ++*m_tree.nodeCount;
-        return id;
-    }
-
-    void Free(int32 id) {
-        b2TreeNode &node = m_nodes[id];
-        node.next = *m_tree.freeList;
-        node.height = -1;
-        *m_tree.freeList = id;
-        --*m_tree.nodeCount;
-    }
-
     /// `parent` has `now` for a child, where it had `before`; without a parent that is the tree's root.
     void Replace(int32 parent, int32 before, int32 now) {
         if (parent == b2_nullNode) {
@@ -190,16 +134,8 @@ private:
         return {root, of.first, of.aroundFirst};
     }
 
-    /// The leaf alone is the tree, which was empty.
-    void InsertRoot(int32 leaf) {
-        ++*m_tree.insertionCount;
-        *m_tree.root = leaf;
-        m_nodes[leaf].parent = b2_nullNode;
-    }
-
-    void Insert(int32 leaf, int32 sibling) {
-        ++*m_tree.insertionCount;
-        const int32 above = m_nodes[sibling].parent, parent = Allocate();
+    void Insert(int32 leaf, int32 parent, int32 sibling) {
+        const int32 above = m_nodes[sibling].parent;
         b2TreeNode &node = m_nodes[parent];
         node.parent = above;
         node.height = m_nodes[sibling].height + 1;
@@ -218,7 +154,6 @@ private:
             m_nodes[parent].child1 == leaf ? m_nodes[parent].child2 : m_nodes[parent].child1;
         Replace(above, parent, sibling);
         m_nodes[sibling].parent = above;
-        Free(parent);
         return above;
     }
 
@@ -284,10 +219,9 @@ private:
     b2TreeNode *m_nodes;
 };
 
-// b2DynamicTree::CreateProxy, DestroyProxy and MoveProxy: the same tree by the same arithmetic, with boxes
-// in registers and without a call for each node that is balanced. Box2D's own function is to be asked for ids
-// that are none of a leaf in the tree, on which it asserts; for boxes that are not finite; and where Box2D's
-// array of nodes must grow. Rounding is to nearest, as Box2D's.
+// b2DynamicTree::MoveProxy: the same tree by the same arithmetic, with boxes in registers and without a call
+// for each node that is balanced. Box2D's own function is to be asked for ids that are none of a leaf in the
+// tree, on which it asserts, and for boxes that are not finite. Rounding is to nearest, as Box2D's.
 
 inline bool IsFinite(const b2AABB &box) {
     return std::isfinite(box.lowerBound.x) && std::isfinite(box.lowerBound.y) &&
@@ -321,29 +255,11 @@ inline bool Stays(const b2AABB &leaf, const b2AABB &aabb, const b2AABB &fat) {
            Larger(fat, 4.0f * b2Vec2(b2_aabbExtension, b2_aabbExtension)).Contains(leaf);
 }
 
-// Each of these says whether it did it. Where it did not, nothing was written.
-
-inline bool CreateHere(const b2DynamicTree &tree, const b2AABB &aabb, void *userData, int32 *id) {
-    TreeEdit edit(MembersOf(tree));
-    const b2AABB fat = Fat(aabb);
-    if (!IsFinite(fat) || !edit.HasRoom())
-        return false;
-    *id = edit.Create(fat, userData);
-    return true;
-}
-
-inline bool DestroyHere(const b2DynamicTree &tree, int32 id) {
-    TreeEdit edit(MembersOf(tree));
-    if (!edit.HasLeaf(id))
-        return false;
-    edit.Destroy(id);
-    return true;
-}
-
 BMR_NOINLINE inline void MoveLeaf(const b2DynamicTree &tree, int32 id, const b2AABB &fat) {
     TreeEdit(MembersOf(tree)).Move(id, fat);
 }
 
+/// Says whether it did it. If it did not, nothing was written.
 inline bool MoveHere(const b2DynamicTree &tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement,
                      bool *moved) {
     const TreeMembers members = MembersOf(tree);

@@ -59,39 +59,6 @@ void b2ContactManager::FindNewContacts() {
         stock::FindNewContacts(this);
 }
 
-namespace {
-
-bool TreeIsOurs() {
-    return PassesRun(HookOf::MoveProxy) && RoundsToNearest();
-}
-
-BMR_NOINLINE bool MoveInstalled(b2DynamicTree *tree, int32 id, const b2AABB &aabb,
-                                const b2Vec2 &displacement) {
-    bool moved;
-    return TreeIsOurs() && tree::MoveHere(*tree, id, aabb, displacement, &moved)
-               ? moved
-               : stock::MoveProxy(tree, id, aabb, displacement);
-}
-
-} // namespace
-
-int32 b2DynamicTree::CreateProxy(const b2AABB &aabb, void *userData) {
-    int32 id;
-    return TreeIsOurs() && tree::CreateHere(*this, aabb, userData, &id)
-               ? id
-               : stock::CreateProxy(this, aabb, userData);
-}
-
-void b2DynamicTree::DestroyProxy(int32 id) {
-    if (!TreeIsOurs() || !tree::DestroyHere(*this, id))
-        stock::DestroyProxy(this, id);
-}
-
-bool b2DynamicTree::MoveProxy(int32 id, const b2AABB &aabb, const b2Vec2 &displacement) {
-    return NothingIsInstalled() ? stock::MoveProxy(this, id, aabb, displacement)
-                                : MoveInstalled(this, id, aabb, displacement);
-}
-
 void b2Fixture::Synchronize(b2BroadPhase *broadPhase, const b2Transform &xf1, const b2Transform &xf2) {
     if (PassesRun(HookOf::Synchronize) && RoundsToNearest())
         tree::SynchronizeBoxes(this, broadPhase, xf1, xf2);
