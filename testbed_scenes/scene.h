@@ -89,7 +89,7 @@ void AddOutlines(std::vector<SceneInfo> &scenes);
 ///     XA YA ANGLEA XB YB ANGLEB        STEPS + 1 times; angles go on beyond pi
 ///
 /// Box2D integrates: each step gives the bodies the velocities that take them to their next pose. A is
-/// kinematic, B is a bullet, so that Box2D asks all its questions. Throws std::runtime_error for a file that
+/// kinematic, B is a bullet, so that Box2D asks all its questions. Throws a std::exception for a file that
 /// cannot be read.
 SceneInfo CourseScene(const std::string &file);
 

@@ -148,6 +148,12 @@ b2Vec2 Grid::Place(int index) const {
             m_spacing * (0.5f + static_cast<float>(row)) - halfHeight};
 }
 
+b2Vec2 InRows(int i, int columns, float spacing, float lowest) {
+    const int column = i % columns, row = i / columns;
+    return {spacing * (static_cast<float>(column) - 0.5f * static_cast<float>(columns - 1)),
+            lowest + spacing * static_cast<float>(row)};
+}
+
 b2BodyDef Drifting(Random &random, b2Vec2 place, float slowest, float fastest, float spin) {
     b2BodyDef def;
     def.type = b2_dynamicBody;

@@ -61,6 +61,9 @@ private:
     float m_spacing;
 };
 
+/// The place of the i-th of many in rows of `columns` about x = 0, the lowest of them at this height.
+b2Vec2 InRows(int i, int columns, float spacing, float lowest);
+
 /// A dynamic body at a place, at any angle, that drifts at a speed in [slowest, fastest) and turns at less
 /// than `spin`.
 b2BodyDef Drifting(Random &random, b2Vec2 place, float slowest, float fastest, float spin);

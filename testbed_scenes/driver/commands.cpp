@@ -209,13 +209,6 @@ struct FiguresCommand {
     bool list = false;
 };
 
-void Draw(const FigureInfo &figure, const std::string &path) {
-    Canvas canvas(path, figure.width, figure.height);
-    figure.draw(canvas);
-    canvas.Write();
-    std::cout << path << '\n';
-}
-
 int Execute(const FiguresCommand &command) {
     const std::vector<FigureInfo> &figures = AllFigures();
     std::vector<FigureInfo> wanted;
@@ -231,11 +224,13 @@ int Execute(const FiguresCommand &command) {
     std::filesystem::create_directories(command.directory, error);
     if (error)
         throw std::runtime_error("cannot make the directory " + command.directory + ": " + error.message());
-    for (const FigureInfo &figure : wanted.empty() ? figures : wanted)
-        for (const char *format : {"svg", "png"})
-            if (command.format == format || command.format == "both")
-                Draw(figure,
-                     (std::filesystem::path(command.directory) / figure.name).string() + "." + format);
+    for (const FigureInfo &figure : wanted.empty() ? figures : wanted) {
+        const auto path = std::filesystem::path(command.directory) / (figure.name + ("." + command.format));
+        Canvas canvas(path, figure.width, figure.height);
+        figure.draw(canvas);
+        canvas.Write();
+        std::cout << path.string() << '\n';
+    }
     return kExitOk;
 }
 
@@ -297,8 +292,8 @@ void AddFigures(CLI::App &app, Program &program) {
     figures->add_option("names", command->names, "Figures that --list shows (default: all)");
     figures->add_option("-o,--output", command->directory, "The directory to write into; made if missing")
         ->capture_default_str();
-    figures->add_option("--format", command->format, "svg, png or both")
-        ->check(CLI::IsMember({"svg", "png", "both"}))
+    figures->add_option("--format", command->format, "svg, png or pdf")
+        ->check(CLI::IsMember({"svg", "png", "pdf"}))
         ->capture_default_str();
     figures->add_flag("--list", command->list, "Show their names and draw nothing");
     figures->callback([command, &program] { program.status = Execute(*command); });

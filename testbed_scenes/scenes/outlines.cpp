@@ -20,14 +20,10 @@ class Silhouettes final : public Scene {
         const float height = 0.5f * spacing * static_cast<float>(rows) + 2.0f;
         AddArena(stage, {0.0f, height}, 0.5f * spacing * columns + 0.5f, height, 0.0f);
         for (int i = 0; i < size; ++i) {
-            b2BodyDef def;
-            def.type = b2_dynamicBody;
-            def.position.Set(spacing * (static_cast<float>(i % columns) - 0.5f * (columns - 1)),
-                             1.6f + spacing * static_cast<float>(i / columns));
-            def.angle = stage.Rng().Uniform(-b2_pi, b2_pi);
+            b2Body *body = stage.AddBody(b2_dynamicBody, InRows(i, columns, spacing, 1.6f),
+                                         stage.Rng().Uniform(-b2_pi, b2_pi));
             const Concave seen = StarShaped(SilhouetteOutline(stage.Rng(), choice.vertices));
-            OutlinedBody(choice.bodies, seen, tolerance)
-                .AddTo(stage, stage.AddBody(def), Material(1.0f, 0.4f));
+            OutlinedBody(choice.bodies, seen, tolerance).AddTo(stage, body, Material(1.0f, 0.4f));
         }
     }
 

@@ -17,6 +17,7 @@ namespace testbed {
 ///     Begin(kind, number)    an object begins: "body 12"
 ///     Key(name, number)      and is named further: "bodyA 3"
 ///     Is(name, number)       is of a kind, which text calls by its name
+///     Of(part)               what follows is of a part of it, which text alone names
 ///     Field(name, value)     one of its fields
 
 /// Folds the raw bits of every number into 64 bits. Like FNV-1a (the same prime), but 32 bits at a time, and
@@ -30,6 +31,7 @@ public:
         Add(static_cast<uint32_t>(number >> 32));
     }
     void Is(const char *, uint64_t number) { Key("", number); }
+    void Of(const char *) {}
     void Field(const char *, uint64_t value) { Key("", value); }
     void Field(const char *, uint32_t value) { Add(value); }
     void Field(const char *, int32_t value) { Add(static_cast<uint32_t>(value)); }
@@ -59,7 +61,8 @@ public:
     void Key(const char *name, uint64_t number) {
         m_object += std::string(" ") + name + " " + std::to_string(number);
     }
-    void Is(const char *name, uint64_t) { m_object += std::string(" ") + name; }
+    void Is(const char *name, uint64_t) { Of(name); }
+    void Of(const char *part) { m_object += std::string(" ") + part; }
     void Field(const char *name, uint64_t value) { Line(name, "0x%016" PRIx64, value); }
     void Field(const char *name, uint32_t value) { Line(name, "0x%" PRIx32, value); }
     void Field(const char *name, int32_t value) { Line(name, "%" PRId32, value); }

@@ -27,7 +27,7 @@ void BeginContactEvent(Sink &sink, uint64_t number, EventKind kind, const char *
     sink.Is(name, static_cast<uint64_t>(kind));
     NameContact(sink, contact);
     sink.Field("flags", ContactMembers::FlagsThatLast(contact));
-    VisitManifold(sink, *contact.GetManifold(), false);
+    VisitManifold(sink, *contact.GetManifold());
 }
 
 } // namespace
@@ -57,7 +57,8 @@ void EventRecorder::OnEnd(const b2Contact &contact) {
 void EventRecorder::OnPreSolve(const b2Contact &contact, const b2Manifold &old) {
     Record([&](auto &sink) {
         BeginContactEvent(sink, m_count, EventKind::PreSolve, "presolve", contact);
-        VisitManifold(sink, old, true);
+        sink.Of("old");
+        VisitManifold(sink, old);
     });
 }
 

@@ -100,33 +100,22 @@ template <typename Sink> void VisitBody(Sink &sink, const b2Body &body) {
     sink.Field("contactOrder", HashContactOrder(body));
 }
 
-/// `old`: the manifold before an update, whose fields need names of their own.
-template <typename Sink> void VisitManifold(Sink &sink, const b2Manifold &manifold, bool old) {
-    sink.Field(old ? "old.pointCount" : "pointCount", manifold.pointCount);
+template <typename Sink> void VisitManifold(Sink &sink, const b2Manifold &manifold) {
+    sink.Field("pointCount", manifold.pointCount);
     if (manifold.pointCount == 0)
         return;
-    sink.Field(old ? "old.type" : "type", static_cast<uint32_t>(manifold.type));
-    if (old) {
-        VisitVector(sink, "old.localNormal.x", "old.localNormal.y", manifold.localNormal);
-        VisitVector(sink, "old.localPoint.x", "old.localPoint.y", manifold.localPoint);
-    } else {
-        VisitVector(sink, "localNormal.x", "localNormal.y", manifold.localNormal);
-        VisitVector(sink, "localPoint.x", "localPoint.y", manifold.localPoint);
-    }
-    static constexpr const char *names[2][2][5] = {
-        {{"point0.x", "point0.y", "point0.normalImpulse", "point0.tangentImpulse", "point0.id"},
-         {"point1.x", "point1.y", "point1.normalImpulse", "point1.tangentImpulse", "point1.id"}},
-        {{"old.point0.x", "old.point0.y", "old.point0.normalImpulse", "old.point0.tangentImpulse",
-          "old.point0.id"},
-         {"old.point1.x", "old.point1.y", "old.point1.normalImpulse", "old.point1.tangentImpulse",
-          "old.point1.id"}}};
+    sink.Field("type", static_cast<uint32_t>(manifold.type));
+    VisitVector(sink, "localNormal.x", "localNormal.y", manifold.localNormal);
+    VisitVector(sink, "localPoint.x", "localPoint.y", manifold.localPoint);
+    static constexpr const char *names[2][5] = {
+        {"point0.x", "point0.y", "point0.normalImpulse", "point0.tangentImpulse", "point0.id"},
+        {"point1.x", "point1.y", "point1.normalImpulse", "point1.tangentImpulse", "point1.id"}};
     for (int32 i = 0; i < manifold.pointCount; ++i) {
         const b2ManifoldPoint &point = manifold.points[i];
-        const auto &name = names[old ? 1 : 0][i];
-        VisitVector(sink, name[0], name[1], point.localPoint);
-        sink.Field(name[2], point.normalImpulse);
-        sink.Field(name[3], point.tangentImpulse);
-        sink.Field(name[4], static_cast<uint32_t>(point.id.key));
+        VisitVector(sink, names[i][0], names[i][1], point.localPoint);
+        sink.Field(names[i][2], point.normalImpulse);
+        sink.Field(names[i][3], point.tangentImpulse);
+        sink.Field(names[i][4], static_cast<uint32_t>(point.id.key));
     }
 }
 
@@ -152,7 +141,7 @@ template <typename Sink> void VisitContact(Sink &sink, uint64_t number, const b2
     sink.Field("restitution", contact.GetRestitution());
     sink.Field("restitutionThreshold", contact.GetRestitutionThreshold());
     sink.Field("tangentSpeed", contact.GetTangentSpeed());
-    VisitManifold(sink, *contact.GetManifold(), false);
+    VisitManifold(sink, *contact.GetManifold());
 }
 
 } // namespace testbed

@@ -134,13 +134,6 @@ int Run(int argc, char **argv) {
 
 } // namespace
 
-const char *NameOf(Mode mode) {
-    for (const auto &[name, value] : modes)
-        if (value == mode)
-            return name.c_str();
-    return "";
-}
-
 PolygonChoice PolygonsOf(const SceneInfo &scene, const Options &options) {
     return {options.bodies.value_or(scene.polygons.bodies),
             options.vertices.value_or(scene.polygons.vertices)};

@@ -38,8 +38,6 @@ struct Options {
     std::string structure; ///< for the plugin alone; empty: as games have it
 };
 
-const char *NameOf(Mode mode);
-
 /// The scene's own choice, where the options do not say otherwise.
 PolygonChoice PolygonsOf(const SceneInfo &scene, const Options &options);
 

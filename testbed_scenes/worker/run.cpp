@@ -17,11 +17,6 @@
 namespace testbed {
 namespace {
 
-bool IsPolygonContact(const b2Contact &contact) {
-    return contact.GetFixtureA()->GetType() == b2Shape::e_polygon &&
-           contact.GetFixtureB()->GetType() == b2Shape::e_polygon;
-}
-
 /// Calls since the process began; nothing where the counting library is not preloaded.
 std::optional<boomerang_counts> ReadCounts() {
     const auto read =
@@ -55,16 +50,16 @@ public:
     void AddStep(const b2World &world, long nanoseconds);
     void AddHashes(const StateHashes &hashes);
 
-    /// In every mode: scene, program, mode, size, seed, steps (done), bodies, contacts and polygon_contacts
-    /// (means per step; in time mode contacts only). Hash: hash. Time: step_ns_total, collide_ms_total.
-    /// Count: those of AddCalls; plugin (null for stock). Scenes with polygons to choose: vertices, kind.
+    /// In every mode: scene, program, size, seed, steps (done), bodies, contacts (mean per step). Hash: hash.
+    /// Time: step_ns_total, collide_ms_total. Count: those of AddCalls; plugin (null for stock). Scenes with
+    /// polygons to choose: vertices, kind.
     nlohmann::json ToJson(const b2World &world) const;
 
 private:
     const SceneInfo &m_info;
     const Options &m_options;
     long m_steps = 0;
-    long m_contacts = 0, m_polygonContacts = 0;
+    long m_contacts = 0;
     HashSink m_hash;
     long m_nanoseconds = 0;
     double m_collide = 0.0; ///< of Box2D's profile, in milliseconds
@@ -77,11 +72,6 @@ void Summary::AddStep(const b2World &world, long nanoseconds) {
     m_contacts += world.GetContactCount();
     m_nanoseconds += nanoseconds;
     m_collide += static_cast<double>(world.GetProfile().collide);
-    // Walking the contacts would warm the caches of the next step, so not while it is timed.
-    if (m_options.mode == Mode::Time)
-        return;
-    for (const b2Contact *contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext())
-        m_polygonContacts += IsPolygonContact(*contact) ? 1 : 0;
 }
 
 void Summary::AddHashes(const StateHashes &hashes) {
@@ -94,7 +84,6 @@ nlohmann::json Summary::ToJson(const b2World &world) const {
     const double steps = static_cast<double>(std::max(m_steps, 1L));
     nlohmann::json json = {{"scene", m_info.name},
                            {"program", PluginName()},
-                           {"mode", NameOf(m_options.mode)},
                            {"size", m_options.size.value_or(m_info.size)},
                            {"seed", m_options.seed.value_or(m_info.seed)},
                            {"steps", m_steps},
@@ -104,8 +93,6 @@ nlohmann::json Summary::ToJson(const b2World &world) const {
         json["vertices"] = polygons.vertices;
         json["kind"] = NameOf(polygons.bodies);
     }
-    if (m_options.mode != Mode::Time)
-        json["polygon_contacts"] = static_cast<double>(m_polygonContacts) / steps;
     switch (m_options.mode) {
     case Mode::Hash: {
         char text[17];

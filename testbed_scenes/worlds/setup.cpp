@@ -16,75 +16,38 @@ constexpr int kTries = 3000;
 /// Between any two, in their radii: a start that is not yet near.
 constexpr double kApart = 1.01;
 
-/// Disks of radii from r up to 2 r, in cells at least 4 r wide.
+/// Disks of radii up to `largest` and from half of that, in cells twice as wide as that.
 class Layer {
 public:
-    Layer(double width, double height, double largest)
-        : m_columns(std::max<int64_t>(1, static_cast<int64_t>(width / (2.0 * kApart * largest)))),
-          m_rows(std::max<int64_t>(1, static_cast<int64_t>(height / (2.0 * kApart * largest)))),
-          m_largest(largest), m_width(width), m_height(height) {}
+    explicit Layer(double largest) : m_largest(largest) {}
 
-    void Add(bmr_vec2 at, double radius) { m_cells[KeyOf(at)].push_back({at, radius}); }
+    void Add(bmr_vec2 at, double radius) { m_cells[CellOf(at.x, at.y)].push_back({at, radius}); }
 
-    bool IsFree(bmr_vec2 at, double radius, bool periodic) const {
-        // Cells as far away as the two radii can reach; each at most once where the box is wrapped.
+    bool IsFree(bmr_vec2 at, double radius) const {
         const double reach = kApart * (radius + m_largest);
-        const Range columns = Around(at.x, reach, m_width, m_columns, periodic),
-                    rows = Around(at.y, reach, m_height, m_rows, periodic);
-        for (int64_t column = columns.first; column <= columns.last; ++column)
-            for (int64_t row = rows.first; row <= rows.last; ++row) {
-                const auto cell = m_cells.find(Wrap(column, m_columns) * m_rows + Wrap(row, m_rows));
+        const auto [left, bottom] = CellOf(at.x - reach, at.y - reach);
+        const auto [right, top] = CellOf(at.x + reach, at.y + reach);
+        for (int64_t column = left; column <= right; ++column)
+            for (int64_t row = bottom; row <= top; ++row) {
+                const auto cell = m_cells.find({column, row});
                 if (cell == m_cells.end())
                     continue;
-                for (const Disk &disk : cell->second)
-                    if (Distance(disk.at, at, periodic) < kApart * (disk.radius + radius))
+                for (const auto &[other, its] : cell->second)
+                    if (std::hypot(other.x - at.x, other.y - at.y) < kApart * (its + radius))
                         return false;
             }
         return true;
     }
 
 private:
-    struct Disk {
-        bmr_vec2 at;
-        double radius;
-    };
-    struct Range {
-        int64_t first, last;
-    };
-    static int64_t Wrap(int64_t index, int64_t count) { return ((index % count) + count) % count; }
-    static Range Around(double at, double reach, double side, int64_t count, bool periodic) {
-        const double cell = side / static_cast<double>(count);
-        Range range = {static_cast<int64_t>(std::floor((at - reach) / cell)),
-                       static_cast<int64_t>(std::floor((at + reach) / cell))};
-        if (!periodic) {
-            range.first = std::max<int64_t>(0, range.first);
-            range.last = std::min(count - 1, range.last);
-        } else if (range.last - range.first >= count) {
-            range = {0, count - 1};
-        }
-        return range;
-    }
-    int64_t KeyOf(bmr_vec2 at) const {
-        const auto column = static_cast<int64_t>(at.x / m_width * static_cast<double>(m_columns));
-        const auto row = static_cast<int64_t>(at.y / m_height * static_cast<double>(m_rows));
-        return std::clamp<int64_t>(column, 0, m_columns - 1) * m_rows +
-               std::clamp<int64_t>(row, 0, m_rows - 1);
-    }
-    double Distance(bmr_vec2 a, bmr_vec2 b, bool periodic) const {
-        double x = std::fabs(a.x - b.x), y = std::fabs(a.y - b.y);
-        if (periodic) {
-            x = std::min(x, m_width - x);
-            y = std::min(y, m_height - y);
-        }
-        return std::hypot(x, y);
+    std::pair<int64_t, int64_t> CellOf(double x, double y) const {
+        return {static_cast<int64_t>(std::floor(0.5 * x / m_largest)),
+                static_cast<int64_t>(std::floor(0.5 * y / m_largest))};
     }
 
-    int64_t m_columns, m_rows;
-    double m_largest, m_width, m_height;
-    std::map<int64_t, std::vector<Disk>> m_cells;
+    double m_largest;
+    std::map<std::pair<int64_t, int64_t>, std::vector<std::pair<bmr_vec2, double>>> m_cells;
 };
-
-} // namespace
 
 /// Places for disks of these radii in a box, drawn one by one, the largest first, so that no two meet, nor
 /// one and a side of the box (in a periodic box: nor one and another's image). False where there was no room
@@ -106,11 +69,15 @@ bool PlaceDisks(const std::vector<double> &radii, bmr_vec2 low, bmr_vec2 high, b
             const bmr_vec2 at =
                 bmr_vec2_make(dice.Uniform(border, size.x - border), dice.Uniform(border, size.y - border));
             if (!std::all_of(layers.begin(), layers.end(),
-                             [&](const auto &layer) { return layer.second.IsFree(at, radius, periodic); }))
+                             [&](const auto &layer) { return layer.second.IsFree(at, radius); }))
                 continue;
             int power = 0;
             std::frexp(radius, &power);
-            layers.try_emplace(power, size.x, size.y, std::ldexp(1.0, power)).first->second.Add(at, radius);
+            Layer &layer = layers.try_emplace(power, std::ldexp(1.0, power)).first->second;
+            const int images = periodic ? 1 : 0; // on each side
+            for (int x = -images; x <= images; ++x)
+                for (int y = -images; y <= images; ++y)
+                    layer.Add(bmr_add(at, bmr_vec2_make(x * size.x, y * size.y)), radius);
             (*places)[index] = bmr_add(low, at);
             placed = true;
         }
@@ -119,8 +86,6 @@ bool PlaceDisks(const std::vector<double> &radii, bmr_vec2 low, bmr_vec2 high, b
     }
     return true;
 }
-
-namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 /// A swarm's bodies change their plans about so often, in crossings of a body's own disk.

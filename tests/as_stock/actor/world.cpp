@@ -372,7 +372,7 @@ void ProbeContact(testbed::HashSink &sink, b2Contact &contact, b2Vec2 away) {
     b2Manifold manifold;
     std::memset(static_cast<void *>(&manifold), 0x7f, sizeof manifold);
     contact.Evaluate(&manifold, xfA, contact.GetFixtureB()->GetBody()->GetTransform());
-    testbed::VisitManifold(sink, manifold, false);
+    testbed::VisitManifold(sink, manifold);
 }
 
 void ScaleInPlace(b2PolygonShape *polygon, float reach) {
