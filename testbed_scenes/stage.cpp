@@ -6,6 +6,7 @@
 #include "scene.h"
 
 namespace testbed {
+
 Stage::Stage(Scene &scene, unsigned long seed, EventObserver *observer)
     : m_scene(scene), m_observer(observer), m_random(seed), m_world(b2Vec2(0.0f, -10.0f)) {
     m_world.SetDestructionListener(this);

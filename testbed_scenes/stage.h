@@ -10,6 +10,8 @@
 #include <box2d/box2d.h>
 #include <gsl/gsl_rng.h>
 
+#include "state/numbers.h"
+
 namespace testbed {
 
 enum class BodyKind {
@@ -105,11 +107,6 @@ private:
     std::vector<uint32_t> m_fixturesMade; // by body number
     uint32_t m_jointsMade = 0;
 };
-
-/// The number a stage gave a body, a fixture or a joint; fixtures count from 0 within their body.
-template <typename Object> uint32_t NumberOf(const Object &object) {
-    return static_cast<uint32_t>(const_cast<Object &>(object).GetUserData().pointer); // Box2D's is not const
-}
 
 } // namespace testbed
 

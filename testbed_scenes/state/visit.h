@@ -2,8 +2,10 @@
 #ifndef BOOMERANG_TESTBED_VISIT_H
 #define BOOMERANG_TESTBED_VISIT_H
 
-#include "stage.h"
-#include "state/sinks.h"
+#include <box2d/box2d.h>
+
+#include "numbers.h"
+#include "sinks.h"
 
 /// @file
 /// Which fields make up the state of a world and the arguments of its events. Objects go by their stage's

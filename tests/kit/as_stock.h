@@ -61,7 +61,7 @@ inline std::string DifferenceInWords(const Scenario &play, const Form &form, uns
         Run::InWords() = line;
         const std::string text = "\n" + again();
         Run::InWords().clear();
-        const size_t begin = text.find("\n  ");
+        const size_t begin = text.find("\nin words\n");
         return begin != std::string::npos ? text.substr(begin + 1, text.find("\n" + line) - begin) : "";
     };
     return FirstDifference(words(lines.ofStock, [&] { return InChild(play); }),

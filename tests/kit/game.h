@@ -69,27 +69,25 @@ public:
     void BeginContact(b2Contact *contact) override { Tell(1, contact, begin); }
     void EndContact(b2Contact *contact) override { Tell(2, contact, end); }
     void PreSolve(b2Contact *contact, const b2Manifold *old) override {
-        m_hash->Name("call", told, "old manifold");
-        m_hash->Add(*old);
+        m_hash->Begin("call", static_cast<uint64_t>(told));
+        testbed::VisitManifold(*m_hash, *old, true);
         Tell(3, contact, preSolve);
     }
     void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override {
-        m_hash->Name("call", told, "impulses");
-        m_hash->Add(static_cast<uint32_t>(impulse->count));
+        m_hash->Begin("call", static_cast<uint64_t>(told));
+        m_hash->Field("impulses", impulse->count);
         Tell(4, contact, postSolve);
     }
 
 private:
     void Tell(uint32_t what, b2Contact *contact, Callback<b2Contact *> &callback) {
-        m_hash->Name("call", told, "which, of what, among how many contacts");
-        ++told;
-        m_hash->Add(what);
-        m_hash->Add(*contact->GetFixtureA());
-        m_hash->Add(*contact->GetFixtureB());
         uint32_t count = 0;
         for (const b2Contact *c = m_world.GetContactList(); c != nullptr; c = c->GetNext())
             ++count;
-        m_hash->Add(count);
+        m_hash->Begin("call", static_cast<uint64_t>(told++));
+        testbed::NameContact(*m_hash, *contact);
+        m_hash->Field("begin, end, preSolve, postSolve", what);
+        m_hash->Field("contacts", count);
         callback(contact);
     }
     const b2World &m_world;
@@ -105,10 +103,9 @@ public:
     int count = 0;
 
     bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
-        m_hash->Name("filter's call", count, "fixtures");
-        ++count;
-        m_hash->Add(*a);
-        m_hash->Add(*b);
+        m_hash->Begin("filter's call", static_cast<uint64_t>(count++));
+        m_hash->Field("a", testbed::NumberOf(*a));
+        m_hash->Field("b", testbed::NumberOf(*b));
         asked(a, b);
         return !refuses && b2ContactFilter::ShouldCollide(a, b);
     }
@@ -136,6 +133,7 @@ public:
         def.type = type;
         def.position = at;
         def.angle = angle;
+        def.userData.pointer = ++m_bodiesMade;
         return world.CreateBody(&def);
     }
     b2Fixture *Fixture(b2Body *body, const b2Shape &shape, bool sensor = false) {
@@ -228,9 +226,9 @@ public:
         std::snprintf(line, sizeof line, "%d contacts, %d told, %d asked, %016" PRIx64,
                       static_cast<int>(world.GetContactCount()), listener.told, filter.count, hash.Value());
         if (line == Run::InWords())
-            m_run.Write(m_words);
-        m_words.clear();
-        hash.Name("number", 0, "of the game");
+            m_run.Write("in words\n" + m_words.Text());
+        m_words.Clear();
+        hash.Begin("the game's", 0);
         m_run.Print("%s", line);
     }
 
@@ -265,8 +263,8 @@ public:
 
 private:
     Run &m_run;
-    std::string m_words; ///< of what was written down since the last line, if anybody asks
-    uintptr_t m_made = 0;
+    testbed::TextSink m_words; ///< of what was written down since the last line, if a run asks for it
+    uintptr_t m_made = 0, m_bodiesMade = 0;
 };
 
 /// One whose listener is there from the beginning.

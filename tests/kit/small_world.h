@@ -5,10 +5,10 @@
 #include <cinttypes>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <string>
 
 #include <box2d/box2d.h>
+
+#include "../../testbed_scenes/state/visit.h"
 
 /// @file
 /// What games share. They are plain Box2D programs: they know nothing of Boomerang.
@@ -19,6 +19,7 @@ inline b2Body *AddBox(b2World &world, b2BodyType type, b2Vec2 at, b2Vec2 half, f
     def.type = type;
     def.position = at;
     def.angle = angle;
+    def.userData.pointer = static_cast<uintptr_t>(world.GetBodyCount());
     b2Body *body = world.CreateBody(&def);
     b2PolygonShape box;
     box.SetAsBox(half.x, half.y);
@@ -35,6 +36,7 @@ inline b2Body *AddWheel(b2World &world, b2Vec2 at, int count, float radius) {
     b2BodyDef def;
     def.type = b2_dynamicBody;
     def.position = at;
+    def.userData.pointer = static_cast<uintptr_t>(world.GetBodyCount());
     b2Body *body = world.CreateBody(&def);
     for (int i = 0; i < count; ++i) {
         const b2Rot from(2.0f * b2_pi * static_cast<float>(i) / static_cast<float>(count));
@@ -65,102 +67,52 @@ inline void FillWithBoxes(b2World &world) {
     }
 }
 
-/// What happened, to the last bit; numbers that are none are one number.
+/// What happened, to the last bit: of worlds, the testbed's fields.
 class Hash {
 public:
-    /// If there is one it gets a line for each number, with its name.
-    std::string *words = nullptr;
+    /// If there is one it gets a line for each number.
+    testbed::TextSink *words = nullptr;
 
-    /// Of what comes next.
-    void Name(const char *object, int number, const char *field) { m_name = {object, number, field}; }
-    void Add(float value) {
-        uint32_t bits = 0x7fc00000u;
-        if (value == value)
-            std::memcpy(&bits, &value, sizeof bits);
+    // A sink of the testbed's.
+    void Begin(const char *kind, uint64_t number) {
+        m_sink.Begin(kind, number);
         if (words != nullptr)
-            Write("%.9g", static_cast<double>(value));
-        Mix(bits);
+            words->Begin(kind, number);
     }
-    void Add(uint32_t word) {
+    void Key(const char *name, uint64_t number) {
+        m_sink.Key(name, number);
         if (words != nullptr)
-            Write("%.0f", static_cast<double>(word));
-        Mix(word);
+            words->Key(name, number);
     }
-    void Add(const b2Vec2 &v) {
-        Add(v.x);
-        Add(v.y);
+    template <typename Number> void Field(const char *name, Number number) {
+        m_sink.Field(name, number);
+        if (words != nullptr)
+            words->Field(name, number);
     }
-    /// By its number, which is all that a game's user data may be here.
-    void Add(const b2Fixture &fixture) {
-        Add(static_cast<uint32_t>(const_cast<b2Fixture &>(fixture).GetUserData().pointer));
-    }
+
+    void Add(float value) { Field("number", value); }
+    void Add(uint32_t value) { Field("number", value); }
     void Add(const b2World &world) {
-        int number = 0;
-        for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext(), ++number) {
-            const struct {
-                const char *name;
-                b2Vec2 value;
-            } fields[] = {{"position", body->GetPosition()},
-                          {"rotation", body->GetTransform().q.GetXAxis()},
-                          {"centre", body->GetWorldCenter()},
-                          {"velocity", body->GetLinearVelocity()},
-                          {"angle and spin", b2Vec2(body->GetAngle(), body->GetAngularVelocity())}};
-            for (const auto &field : fields) {
-                Name("body", number, field.name);
-                Add(field.value);
-            }
-            Name("body", number, "awake");
-            Add(static_cast<uint32_t>(body->IsAwake()));
-        }
-        Name("world", 0, "contacts");
-        Add(static_cast<uint32_t>(world.GetContactCount()));
-        number = 0;
-        for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
-             contact = contact->GetNext(), ++number)
-            Add(*contact, number);
+        for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+            testbed::VisitBody(*this, *body);
+        uint64_t number = 0;
+        for (const b2Contact *c = world.GetContactList(); c != nullptr; c = c->GetNext())
+            Add(*c, number++);
+        Begin("world", 0);
+        Field("contacts", world.GetContactCount());
     }
     /// Of a sensor's contact all that Box2D finds is whether it touches.
-    void Add(const b2Contact &contact, int number = 0) {
-        Name("contact", number, "fixtures");
-        Add(*contact.GetFixtureA());
-        Add(*contact.GetFixtureB());
-        Name("contact", number, "touching");
-        Add(static_cast<uint32_t>(contact.IsTouching()));
-        Name("contact", number, "manifold");
+    void Add(const b2Contact &contact, uint64_t number) {
+        Begin("contact", number);
+        testbed::NameContact(*this, contact);
+        Field("touching", static_cast<uint32_t>(contact.IsTouching()));
         if (!contact.GetFixtureA()->IsSensor() && !contact.GetFixtureB()->IsSensor())
-            Add(*contact.GetManifold());
+            testbed::VisitManifold(*this, *contact.GetManifold(), false);
     }
-    void Add(const b2Manifold &manifold) {
-        Add(static_cast<uint32_t>(manifold.pointCount));
-        if (manifold.pointCount == 0)
-            return; // what is left in it is whatever was there
-        Add(static_cast<uint32_t>(manifold.type));
-        Add(manifold.localNormal);
-        Add(manifold.localPoint);
-        for (int32 i = 0; i < manifold.pointCount; ++i) {
-            const b2ManifoldPoint &point = manifold.points[i];
-            Add(point.id.key);
-            Add(point.localPoint);
-            Add(b2Vec2(point.normalImpulse, point.tangentImpulse));
-        }
-    }
-    uint64_t Value() const { return m_value; }
+    uint64_t Value() const { return m_sink.Value(); }
 
 private:
-    void Mix(uint32_t word) { m_value = (m_value ^ word) * UINT64_C(1099511628211); }
-    void Write(const char *format, double value) {
-        char number[40];
-        std::snprintf(number, sizeof number, format, value);
-        *words += std::string("  ") + m_name.object + ' ' + std::to_string(m_name.number) + ' ' +
-                  m_name.field + ": " + number + '\n';
-    }
-
-    uint64_t m_value = UINT64_C(14695981039346656037);
-    struct {
-        const char *object;
-        int number;
-        const char *field;
-    } m_name = {"number", 0, "of the game"};
+    testbed::HashSink m_sink;
 };
 
 inline void Step(b2World &world, int steps, Hash *hash) {

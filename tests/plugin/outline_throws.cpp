@@ -19,6 +19,7 @@
 #include "boomerang/outline_shape.h"
 #include "box2d_shapes.h"
 #include "plain_pieces.h"
+#include "small_world.h"
 
 using namespace shapes;
 
@@ -173,16 +174,6 @@ bool IsIn(const Points &ring, b2Vec2 p) {
     return in;
 }
 
-/// FNV-1a.
-struct Hash {
-    uint64_t value = 14695981039346656037u;
-    void Add(float x) {
-        uint32_t bits;
-        std::memcpy(&bits, &x, sizeof bits);
-        value = (value ^ bits) * 1099511628211u;
-    }
-};
-
 struct Counts {
     long throws = 0, lost = 0, stuck = 0, dropped = 0;
 
@@ -304,6 +295,6 @@ int main(int argc, char **argv) {
         all.dropped += counts[k].dropped;
     }
     all.Print("all");
-    std::printf("%016" PRIx64 "\n", hash.value);
+    std::printf("%016" PRIx64 "\n", hash.Value());
     return 0;
 }
