@@ -228,7 +228,7 @@ AS_STOCK("Evaluate may be called by anybody, with an uninitialised manifold and 
                     b2Transform there = xfB;
                     there.p.y += moved;
                     c->Evaluate(&manifold, xfA, there);
-                    testbed::VisitManifold(game.hash, manifold, false);
+                    testbed::VisitManifold(game.hash, manifold);
                     const bmr::Counted after = bmr::internal::ReadCounts();
                     if (run.Counts()) {
                         const bool touched = c->GetManifold()->pointCount > 0;

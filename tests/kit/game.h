@@ -70,7 +70,7 @@ public:
     void EndContact(b2Contact *contact) override { Tell(2, contact, end); }
     void PreSolve(b2Contact *contact, const b2Manifold *old) override {
         m_hash->Begin("call", static_cast<uint64_t>(told));
-        testbed::VisitManifold(*m_hash, *old, true);
+        testbed::VisitManifold(*m_hash, *old);
         Tell(3, contact, preSolve);
     }
     void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override {

@@ -107,7 +107,7 @@ public:
         testbed::NameContact(*this, contact);
         Field("touching", static_cast<uint32_t>(contact.IsTouching()));
         if (!contact.GetFixtureA()->IsSensor() && !contact.GetFixtureB()->IsSensor())
-            testbed::VisitManifold(*this, *contact.GetManifold(), false);
+            testbed::VisitManifold(*this, *contact.GetManifold());
     }
     uint64_t Value() const { return m_sink.Value(); }
 
