@@ -228,12 +228,12 @@ bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_a
         return BMR_ERROR_NULL_ARGUMENT;
     if (count < 3)
         return BMR_ERROR_TOO_FEW_POINTS;
-    size_t scratch_size;
-    if (!convex32_scratch(count, SIZE_MAX, &scratch_size))
+    if (count > (SIZE_MAX / sizeof(bmr_vec2) - 1) / 2)
         return BMR_ERROR_TOO_MANY_POINTS;
     bmr_error error = convex32_check_points(points, count);
     if (error != BMR_OK)
         return error;
+    const size_t scratch_size = (2 * count + 1) * sizeof(bmr_vec2); // and a hull that ends where it began
     bmr_vec2 *sorted = bmr_allocate(allocator, scratch_size);
     if (!sorted)
         return BMR_ERROR_NO_MEMORY;

@@ -30,17 +30,6 @@ static inline bool convex32_turns(bmr_vec32 a, bmr_vec32 b, bmr_vec32 c) {
            (double)before.x * (double)after.x + (double)before.y * (double)after.y < 0.0;
 }
 
-/// Bytes for `count` points in double, and for a hull of them that ends where it began. False where that is
-/// more than `limit`.
-static inline bool convex32_scratch(size_t count, size_t limit, size_t *bytes) {
-    size_t size = 0, begin;
-    if (!bmr_size_add(&size, count, 2 * sizeof(bmr_vec2), 1, limit, &begin) ||
-        !bmr_size_add(&size, 1, sizeof(bmr_vec2), 1, limit, &begin))
-        return false;
-    *bytes = size;
-    return true;
-}
-
 /// Twice the area of a triangle, positive if it is counter-clockwise: within 4e-9 of its value however thin
 /// it is, and 0 only where it is 0. Coordinates are finite; rounding is to nearest (in other modes a needle's
 /// may be lost). 10 ns, some 45 for needles.

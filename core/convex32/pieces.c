@@ -157,23 +157,8 @@ bool bmr_convex32_admits(const bmr_convex32 *polygon, uint32_t vertex, bmr_vec32
 /// more than a degree are farther from it than the noise.
 #define BEFORE 64.0
 
-typedef struct point {
-    double x, y;
-} point;
-
-static inline point from_to(point a, bmr_vec32 b) {
-    const point r = {(double)b.x - a.x, (double)b.y - a.y};
-    return r;
-}
-
-static inline point of_vec(bmr_vec32 v) {
-    const point r = {(double)v.x, (double)v.y};
-    return r;
-}
-
-static inline point place_on(const bmr_piece_ray32 *ray, double fraction) {
-    const point r = {ray->x + fraction * ray->dx, ray->y + fraction * ray->dy};
-    return r;
+static inline bmr_vec2 place_on(const bmr_piece_ray32 *ray, double fraction) {
+    return bmr_vec2_make(ray->x + fraction * ray->dx, ray->y + fraction * ray->dy);
 }
 
 /// An edge, or a part of one that has several.
@@ -217,18 +202,18 @@ static stretch part_of(const bmr_convex32_block *piece, uint32_t edge, uint32_t 
 }
 
 /// How far along the stretch, from its begin, is the place?
-static inline double along(const stretch *s, point place) {
+static inline double along(const stretch *s, bmr_vec2 place) {
     return (double)s->normal.x * ((place.y - (double)s->from.y)) -
            (double)s->normal.y * ((place.x - (double)s->from.x));
 }
 
-static inline double outside(const stretch *s, point place) {
+static inline double outside(const stretch *s, bmr_vec2 place) {
     return (double)s->normal.x * (place.x - (double)s->from.x) +
            (double)s->normal.y * (place.y - (double)s->from.y);
 }
 
 /// The stretch of the edge that is beside the place.
-static stretch stretch_beside(const bmr_convex32_block *piece, uint32_t edge, point place) {
+static stretch stretch_beside(const bmr_convex32_block *piece, uint32_t edge, bmr_vec2 place) {
     uint32_t first;
     const uint32_t count = parts_of(&piece->seams, edge, &first);
     stretch s = whole_edge(piece, edge);
@@ -255,11 +240,11 @@ bmr_entry32 bmr_convex32_entry(const bmr_convex32_block *piece, const bmr_piece_
     const stretch s = stretch_beside(piece, edge, place_on(ray, hit));
     if (!s.inner)
         return BMR_ENTRY_FACE;
-    const point begin = {ray->x, ray->y};
+    const bmr_vec2 begin = {ray->x, ray->y};
     const bmr_vec32 ends[2] = {s.from, s.to};
     bmr_entry32 entry = BMR_ENTRY_INNER;
     for (int i = 0; i < 2; ++i) {
-        const point way = from_to(begin, ends[i]);
+        const bmr_vec2 way = bmr_sub(convex32_wide(ends[i]), begin);
         const double off = fabs(way.x * ray->dy - way.y * ray->dx) / ray->length;
         const double at = (way.x * ray->dx + way.y * ray->dy) / (ray->dx * ray->dx + ray->dy * ray->dy);
         // An end that lies farther on is not where it came in.
@@ -275,7 +260,7 @@ bmr_entry32 bmr_convex32_entry(const bmr_convex32_block *piece, const bmr_piece_
 
 bool bmr_convex32_comes_through(const bmr_convex32_block *piece, const bmr_piece_ray32 *ray,
                                 double fraction) {
-    const point place = place_on(ray, fmax(0.0, fraction - BEFORE * ray->noise / ray->length));
+    const bmr_vec2 place = place_on(ray, fmax(0.0, fraction - BEFORE * ray->noise / ray->length));
     for (uint32_t i = 0; i < piece->polygon.count; ++i) {
         const stretch s = stretch_beside(piece, i, place);
         if (outside(&s, place) > (s.inner ? ray->noise : -ray->noise))
@@ -286,7 +271,7 @@ bool bmr_convex32_comes_through(const bmr_convex32_block *piece, const bmr_piece
 
 void bmr_convex32_face_against(const bmr_convex32_block *piece, const bmr_piece_ray32 *ray, bmr_vec32 corner,
                                double *against, bmr_vec32 *normal) {
-    const point begin = {ray->x, ray->y}, at = of_vec(corner);
+    const bmr_vec2 begin = {ray->x, ray->y}, at = convex32_wide(corner);
     for (uint32_t i = 0; i < piece->polygon.count; ++i) {
         const stretch edge = whole_edge(piece, i);
         const double faced = (double)edge.normal.x * ray->dx + (double)edge.normal.y * ray->dy;
@@ -298,7 +283,7 @@ void bmr_convex32_face_against(const bmr_convex32_block *piece, const bmr_piece_
         for (uint32_t k = 0; k == 0 || k < count; ++k) {
             const stretch s = count > 0 ? part_of(piece, i, first, count, k) : edge;
             if (s.inner || along(&s, at) < -ray->noise ||
-                along(&s, of_vec(s.to)) - along(&s, at) < -ray->noise)
+                along(&s, convex32_wide(s.to)) - along(&s, at) < -ray->noise)
                 continue;
             *against = faced;
             *normal = s.normal;

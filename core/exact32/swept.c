@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "exact32/swept32.h"
 
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
-
 #include "exact32/clip.h"
 
 // A search that has not found its direction after so many steps is left: the hulls have at most 8 vertices

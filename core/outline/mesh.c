@@ -191,15 +191,11 @@ bmr_error bmr_mesh_triangulate(const bmr_ring_links *links, const bmr_allocator 
     char *scratch = block ? bmr_allocate(allocator, scratch_bytes) : NULL;
     bmr_error error = BMR_ERROR_NO_MEMORY;
     if (scratch) {
-        bmr_mesh made = {links->points,
-                         (bmr_half *)(void *)(block + halves_at),
-                         0,
-                         3 * triangles,
-                         (uint32_t *)(void *)(block + faces_at),
-                         0,
-                         triangles,
-                         block,
-                         bytes};
+        bmr_mesh made = {.points = links->points,
+                         .halves = (bmr_half *)(void *)(block + halves_at),
+                         .faces = (uint32_t *)(void *)(block + faces_at),
+                         .block = block,
+                         .bytes = bytes};
         cutter c = {
             &made,  NULL, (node *)(void *)scratch, 0, (border *)(void *)(scratch + nodes * sizeof(node)),
             strands};

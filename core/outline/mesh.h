@@ -22,9 +22,9 @@ typedef struct bmr_half {
 typedef struct bmr_mesh {
     const bmr_vec2 *points;
     bmr_half *halves;
-    uint32_t half_count, half_room;
+    uint32_t half_count;
     uint32_t *faces; ///< one half of each; NONE of a face that is no more
-    uint32_t face_count, face_room;
+    uint32_t face_count;
     void *block;
     size_t bytes;
 } bmr_mesh;
