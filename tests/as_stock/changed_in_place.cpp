@@ -140,13 +140,18 @@ void Scale(b2PolygonShape *shape, float by) {
         shape->m_vertices[i] = shape->m_centroid + by * (shape->m_vertices[i] - shape->m_centroid);
 }
 
-/// Makes boxes of shapes, moves one vertex, and makes all smaller, by turns.
+/// Makes boxes of shapes, moves one vertex, makes all smaller, and puts another polygon in the place of a
+/// coin's, by turns.
 void Edit(b2Body *body, int kind) {
     for (b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
         auto *shape = static_cast<b2PolygonShape *>(f->GetShape());
-        if (kind % 3 == 0) {
+        if (kind % 4 == 3) {
+            bmr::ConvexShape other;
+            if (body->GetFixtureList()->GetNext() == nullptr && other.SetRegular(9 + kind, 0.7f) == BMR_OK)
+                *static_cast<bmr::ConvexShape *>(shape) = other;
+        } else if (kind % 4 == 0) {
             shape->SetAsBox(0.6f, 0.2f, shape->m_centroid, 0.3f);
-        } else if (kind % 3 == 1) {
+        } else if (kind % 4 == 1) {
             shape->m_vertices[0] = shape->m_centroid + 1.25f * (shape->m_vertices[0] - shape->m_centroid);
             shape->Set(shape->m_vertices, shape->m_count);
         } else {

@@ -152,25 +152,6 @@ struct Pairs : Game {
 
 } // namespace
 
-AS_STOCK("parted: in the midst of a look at a contact, which finds it apart, it is flagged for filtering") {
-    Game game(run);
-    for (int i = 0; i < 60; ++i)
-        game.Near({3.0f * Real(i), 0.0f}, i == 59 ? -0.005f : 0.1f);
-    b2Body *const one = game.world.GetBodyList();
-    game.Ask();
-    game.Listen();
-    game.Step(10);
-    int ended = 0;
-    game.listener.end = [one, &ended] {
-        one->GetFixtureList()->Refilter();
-        ++ended;
-    };
-    game.filter.refuses = true;
-    one->SetTransform(one->GetPosition() + b2Vec2(0.12f, 0.0f), 0.0f);
-    game.Step(4);
-    game.TookPlace(ended, "the contact is flagged as it ends");
-}
-
 // That ends their contact. Box2D goes on with it, whose memory is as it was, and finds that nobody moves.
 AS_STOCK("ended: a filter makes the two static that it is asked about, and lets them collide") {
     Pairs game(run);

@@ -49,41 +49,6 @@ struct Range : Game {
 
 } // namespace
 
-// Nothing touches: the first call of the step is that of its first impact.
-AS_STOCK(
-    "remade: a listener makes bullets of those that were none as the step began, and were the step before") {
-    Game game(run);
-    game.Wall({0.0f, -30.0f}, {0.05f, 1.0f});
-    b2Body *const first = game.Awake({-2.0f, -30.0f}, {0.1f, 0.1f});
-    std::vector<b2Body *> shots;
-    for (int i = 0; i < 30; ++i) {
-        game.Near({0.0f, 4.0f * Real(i)});
-        shots.push_back(game.Awake({-0.65f, 4.0f * Real(i)}, {0.1f, 0.1f}));
-        shots.back()->SetBullet(true);
-    }
-    game.Listen();
-    first->SetLinearVelocity({240.0f, 0.0f});
-    game.Step(); // in which they are looked at as bullets
-    first->SetTransform({-2.0f, -30.0f}, 0.0f);
-    first->SetLinearVelocity({0.0f, 0.0f});
-    game.Step(3);
-    first->SetLinearVelocity({240.0f, 0.0f});
-    for (b2Body *shot : shots) {
-        shot->SetBullet(false);
-        shot->SetLinearVelocity({400.0f, 0.0f});
-    }
-    int made = 0;
-    game.listener.begin.Once([&shots, &made] {
-        for (b2Body *shot : shots) {
-            shot->SetBullet(true);
-            ++made;
-        }
-    });
-    game.Step(3);
-    game.TookPlace(made, "the listener makes bullets");
-    game.TookPlace(Game::LeftOf(2.0f, shots), "shots are stopped");
-}
-
 // Box2D goes on at once.
 AS_STOCK("passed: a listener makes bullets of the shots, and disables the contact that it is told of") {
     Range range(run);
@@ -180,46 +145,6 @@ AS_STOCK("geared: gear joints are made whose definitions name bodies that the jo
         range.Step();
     }
     range.TookPlace(range.filter.count, "the filter is asked about those that are named");
-}
-
-namespace {
-
-/// The gear of a frame that is disabled reads which place that had in an island of the steps before.
-/// `asleep`: it sleeps in a step of ours, and Box2D makes the others.
-void PlayFrame(Run &run, bool asleep) {
-    Game game(run, {0.0f, -10.0f});
-    b2Body *bodies[6];
-    b2Joint *joints[3];
-    for (int i = 0; i < 6; ++i) {
-        bodies[i] = game.Box({3.0f * Real(i), 0.0f});
-        bodies[i]->SetAngularVelocity(1.0f + Real(i));
-    }
-    for (int i = 0; i < 3; ++i)
-        joints[i] = game.Hinge(bodies[2 * i], bodies[2 * i + 1], bodies[2 * i]->GetPosition());
-    b2GearJointDef gear;
-    gear.joint1 = joints[0];
-    gear.joint2 = joints[1];
-    gear.bodyA = bodies[1];
-    gear.bodyB = bodies[3];
-    game.Step(20);
-    bodies[0]->SetEnabled(false);
-    if (asleep) {
-        bodies[0]->SetAwake(false);
-        game.Step();
-        std::fesetround(FE_UPWARD);
-    }
-    game.world.CreateJoint(&gear);
-    game.Step(20);
-    game.Stage(!bodies[0]->IsEnabled() && game.world.GetJointCount() == 4, "a gear on a disabled frame");
-    std::fesetround(FE_TONEAREST);
-}
-
-} // namespace
-
-AS_STOCK_HOW(kMayBeSilent,
-             "frame: a gear is made between two steps, and the frame of one of its joints is disabled") {
-    for (const bool asleep : {false, true})
-        PlayFrame(run, asleep);
 }
 
 // Bars in front of plates that stand aslant. Each bar's centre of mass is near the plate, and then in its

@@ -125,39 +125,6 @@ AS_STOCK("bodies that wake are looked at, those that fall asleep no more") {
     world.game.Step(60);
 }
 
-namespace {
-/// Lets fixtures that have parted pass through everything, in the call that says that they have.
-class Parting final : public b2ContactListener {
-    void EndContact(b2Contact *contact) override {
-        b2Filter filter;
-        filter.maskBits = 0;
-        contact->GetFixtureA()->SetFilterData(filter);
-    }
-};
-
-} // namespace
-
-AS_STOCK("a pair that is to be filtered anew from the call that ends its touching on") {
-    Parting parting;
-    Needles world(run);
-    world.game.world.SetContactListener(&parting);
-    const int32 contacts = world.game.world.GetContactCount();
-    b2Body *const needle = world.needles[5];
-    needle->SetTransform(needle->GetPosition() + Slanted(0.0f, 0.2f), kSlant);
-    world.game.Step();
-    world.game.Stage(world.game.Touching() > 0, "it touches the next one");
-    for (size_t i = 0; i < world.needles.size(); ++i) {
-        world.needles[i]->SetTransform(Needles::PlaceOf(static_cast<int>(i)), kSlant);
-        world.needles[i]->SetLinearVelocity({0.0f, 0.0f});
-        world.needles[i]->SetAngularVelocity(0.0f);
-    }
-    world.game.Step(); // they part
-    world.game.Stage(world.game.Touching() == 0, "apart again");
-    world.game.Step();
-    world.game.Stage(world.game.world.GetContactCount() < contacts, "pairs were filtered out");
-    world.game.Step(5);
-}
-
 AS_STOCK("sleepers that were moved meet in the very step in which one of them is woken by a hit") {
     for (const int hits : {1, 4, 16}) {
         Game game(run); // a listener would have all pairs looked at again
@@ -229,43 +196,6 @@ AS_STOCK("bodies that were put to sleep in full flight are still in the way that
             stopped += flying[static_cast<size_t>(i)]->IsAwake();
     }
     game.Stage(stopped > 0, "what sleeps is met");
-}
-
-AS_STOCK("contacts that were disabled between steps are enabled where impacts are looked for") {
-    /// Leaves a pair of which neither body is dynamic, so that impacts are looked for in Box2D's list.
-    struct Freezing final : b2ContactFilter {
-        bool ShouldCollide(b2Fixture *a, b2Fixture *b) override {
-            for (b2Fixture *fixture : {a, b})
-                if (fixture->IsSensor())
-                    fixture->GetBody()->SetType(b2_staticBody);
-            return true;
-        }
-    } freezing;
-    for (const int way : {0, 1, 2}) {
-        Game game(run);
-        const bool partial = way == 1, byList = way == 2;
-        game.world.SetSubStepping(partial);
-        if (byList) {
-            game.world.SetContactFilter(&freezing);
-            game.Wall({50.0f, 0.0f}, {1.0f, 1.0f});
-            game.Box(game.Body(b2_dynamicBody, {50.0f, 0.0f}), 1.0f, 1.0f)->SetSensor(true);
-            game.Step();
-            game.world.SetContactFilter(nullptr);
-        }
-        game.Wall({0.0f, 0.0f}, {0.05f, 6.0f});
-        std::vector<b2Body *> shots;
-        for (int i = 0; i < 12; ++i) {
-            shots.push_back(game.Awake({-0.3f, Real(i) - 5.5f}, {0.2f, 0.2f}));
-        }
-        game.Step(30);
-        for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-            c->SetEnabled(false);
-        for (b2Body *shot : shots)
-            shot->SetLinearVelocity({200.0f, 0.0f});
-        game.Step(partial ? 20 : 4);
-        for (const b2Body *shot : shots)
-            game.Stage(shot->GetPosition().x < 0.0f, "nobody comes through");
-    }
 }
 
 AS_STOCK("a loop over contacts that a listener's exception ends is none") {

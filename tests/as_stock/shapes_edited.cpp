@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The traps that Box2D lays for whoever keeps state about its bodies: shapes that are changed in place,
-// polygons of any size that others take the place of, fixtures and poses that change unannounced. README.md
-// has the list.
-#include <boomerang/convex_shape.h>
-
+// The traps that Box2D lays for a program that keeps state about its bodies: shapes that are changed in place,
+// and fixtures that change unannounced. README.md has the list.
 #include "as_stock.h"
-#include "debug/inspect.h"
 #include "random.h"
 
 using namespace as_stock;
@@ -22,68 +18,6 @@ b2PolygonShape Regular(int32 count, float radius) {
 }
 
 } // namespace
-
-// box2d #341, #553, #1016: what an edge knows of its neighbours decides what a polygon does at its ends.
-AS_STOCK_HOW(kMayBeSilent, "edges and chains, their neighbours and their sides are changed in place") {
-    Heard game(run, {0.0f, -10.0f});
-    b2Body *ground = game.Body(b2_staticBody, {0.0f, 0.0f});
-    b2EdgeShape edge;
-    edge.SetOneSided({4.0f, 0.0f}, {2.0f, 0.0f}, {-2.0f, 0.0f}, {-4.0f, 0.0f});
-    auto *made = static_cast<b2EdgeShape *>(game.Fixture(ground, edge)->GetShape());
-    const b2Vec2 links[5] = {{14.0f, 0.0f}, {11.0f, 0.0f}, {9.0f, 0.0f}, {7.0f, 0.0f}, {5.0f, 0.0f}};
-    b2ChainShape chain;
-    chain.CreateChain(links, 5, {16.0f, 0.0f}, {4.0f, 0.0f});
-    auto *linked = static_cast<b2ChainShape *>(game.Fixture(ground, chain)->GetShape());
-    b2Body *boxes[6];
-    for (int i = 0; i < 6; ++i) {
-        boxes[i] = game.Box({0.0f, 0.0f}, {0.4f, 0.3f});
-        boxes[i]->SetBullet(i % 2 == 0);
-        boxes[i]->SetSleepingAllowed(false);
-    }
-    int touched = 0;
-    for (int round = 0; round < 12; ++round) {
-        for (int i = 0; i < 6; ++i) {
-            boxes[i]->SetTransform({2.6f * Real(i) - 1.7f, 0.5f}, 0.05f * Real(round));
-            boxes[i]->SetLinearVelocity({round % 2 == 0 ? 6.0f : -6.0f, i % 2 == 0 ? -30.0f : -1.0f});
-            boxes[i]->SetAngularVelocity(0.0f);
-        }
-        game.Step(4);
-        touched += game.Touching();
-        const float lift = round % 3 == 0 ? 0.4f : -0.3f;
-        made->m_vertex0.y = lift;
-        made->m_vertex3.y = -lift;
-        made->m_oneSided = round % 4 != 1;
-        made->m_vertex1.y = 0.1f * Real(round % 3);
-        linked->m_vertices[1 + round % 3].y = 0.5f * lift;
-        linked->m_prevVertex.y = -lift;
-        linked->m_nextVertex.y = lift;
-        game.Step(4);
-    }
-    game.Stage(touched > 10, "they land");
-}
-
-// Impacts are sought first along the normal that a contact knows.
-AS_STOCK("normals that are too long keep nobody from an impact") {
-    Heard game(run);
-    b2Body *wall = game.Body(b2_staticBody, {2.0f, 0.0f}), *bullet = game.Body(b2_dynamicBody, {0.0f, 0.0f});
-    b2Fixture *side = game.Box(wall, 1.0f, 1.0f);
-    game.Box(bullet, 0.1f, 0.1f);
-    bullet->SetBullet(true);
-    bullet->SetSleepingAllowed(false);
-    for (b2Vec2 &normal : static_cast<b2PolygonShape *>(side->GetShape())->m_normals)
-        normal *= 3.0f;
-    int stopped = 0;
-    for (int round = 0; round < 40; ++round) {
-        // It would come to rest so far in front of the wall.
-        const float gap = 2e-4f * Real(round), way = 0.05f;
-        bullet->SetTransform({0.9f - gap - way, 0.0f}, 0.0f);
-        bullet->SetLinearVelocity({60.0f * way, 0.0f});
-        bullet->SetAngularVelocity(0.0f);
-        game.Step();
-        stopped += bullet->GetPosition().x < 0.9f - gap - 1e-4f;
-    }
-    game.Stage(stopped > 5 && stopped < 35, "it is stopped, or not");
-}
 
 // A sensor's record has the depth of a vertex in the other shape, or a line that kept the two apart.
 AS_STOCK_HOW(kMayBeSilent, "a sensor's deepest vertex is gone, and its line keeps nobody apart") {
@@ -152,109 +86,6 @@ AS_STOCK_HOW(kMayBeSilent, "sensors without skins lose each other, however deep 
             ++(c->IsTouching() ? touching : lost);
     }
     game.Stage(touching > 9 * kPairs * kSteps / 10 && lost > 30, "nearly all overlap, and some do not");
-}
-
-// A polygon of more than 8 vertices has no stock to compare with: what counts is a world that was built of
-// the new shape to begin with.
-namespace {
-
-struct Outcome {
-    std::string text;
-    int touching = 0;
-};
-
-/// A coin on a plank of its own kind and beside a box; `before` gives way to `after`, in the way of `how`.
-enum class Way { kFresh, kInPlace, kNewFixture };
-Outcome PlayCoins(Way way, int32 before, int32 after, float across) {
-    b2World world(b2Vec2(0.0f, 0.0f));
-    b2BodyDef def;
-    def.type = b2_dynamicBody;
-    def.allowSleep = false;
-    b2Body *bodies[3];
-    for (int i = 0; i < 3; ++i) {
-        def.position = Slanted(i == 2 ? 2.2f : 0.0f, i == 1 ? across : 0.0f);
-        bodies[i] = world.CreateBody(&def);
-    }
-    bmr::ConvexShape coin, other;
-    b2PolygonShape box;
-    box.SetAsBox(0.6f, 0.9f);
-    CHECK(coin.SetRegular(way == Way::kFresh ? after : before, 1.0f) == BMR_OK);
-    CHECK(other.SetEllipse(48, 1.0f, 0.9f) == BMR_OK);
-    b2Fixture *changing = bodies[0]->CreateFixture(&coin, 1.0f);
-    bodies[1]->CreateFixture(&other, 1.0f);
-    bodies[2]->CreateFixture(&box, 1.0f);
-    const auto place = [&bodies, across] {
-        for (int i = 0; i < 3; ++i) {
-            bodies[i]->SetTransform(Slanted(i == 2 ? 2.2f : 0.0f, i == 1 ? across : 0.0f), 0.3f);
-            bodies[i]->SetLinearVelocity({0.0f, 0.0f});
-            bodies[i]->SetAngularVelocity(0.0f);
-        }
-    };
-    // What is remembered is a vertex whose number the new polygon may not have.
-    for (int i = 0; i < 8; ++i) {
-        bodies[0]->SetTransform(bodies[0]->GetPosition(), 0.8f * Real(i));
-        world.Step(1.0f / 60.0f, 8, 3);
-    }
-    CHECK(coin.SetRegular(after, 1.0f) == BMR_OK);
-    if (way == Way::kInPlace) {
-        *static_cast<bmr::ConvexShape *>(changing->GetShape()) = coin;
-    } else if (way == Way::kNewFixture) {
-        bodies[0]->DestroyFixture(changing); // the polygon's place and number are free for the next
-        bmr::ConvexShape next;
-        CHECK(next.SetRegular(after, 1.0f) == BMR_OK);
-        bodies[0]->CreateFixture(&next, 1.0f);
-    }
-    bodies[0]->ResetMassData();
-    place();
-    // Impulses and the order of contacts are of the past: what is compared is where things touch now.
-    Outcome outcome;
-    world.Step(0.0f, 8, 3);
-    for (b2Contact *c = world.GetContactList(); c != nullptr; c = c->GetNext())
-        outcome.touching += c->IsTouching();
-    std::vector<std::string> lines;
-    for (b2Contact *c = world.GetContactList(); c != nullptr; c = c->GetNext()) {
-        b2WorldManifold where;
-        c->GetWorldManifold(&where);
-        float sums[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-        for (int32 i = 0; i < c->GetManifold()->pointCount; ++i) {
-            sums[0] += where.points[i].x;
-            sums[1] += where.points[i].y;
-            sums[2] += where.separations[i];
-        }
-        char line[160];
-        std::snprintf(line, sizeof line, "%d %.4f %.4f %.4f\n", c->GetManifold()->pointCount, double{sums[0]},
-                      double{sums[1]}, double{sums[2]});
-        if (c->GetManifold()->pointCount > 0)
-            lines.emplace_back(line);
-    }
-    std::sort(lines.begin(), lines.end());
-    for (const std::string &line : lines)
-        outcome.text += line;
-    return outcome;
-}
-
-} // namespace
-
-TEST_CASE("a big polygon that another one took the place of leaves nothing behind") {
-    int touching = 0;
-    constexpr int32 kCounts[][2] = {{64, 12}, {12, 64}, {500, 9}, {9, 500}, {40, 40}};
-    for (const int32 *counts : kCounts) {
-        const int32 before = counts[0], after = counts[1];
-        for (const float across : {1.85f, 2.2f}) {
-            const Outcome fresh = PlayCoins(Way::kFresh, before, after, across);
-            touching += fresh.touching;
-            for (const Way way : {Way::kInPlace, Way::kNewFixture}) {
-                const Outcome changed = PlayCoins(way, before, after, across);
-                CAPTURE(before);
-                CAPTURE(after);
-                CAPTURE(across);
-                CAPTURE(way == Way::kInPlace);
-                CHECK(changed.text == fresh.text);
-                CHECK(changed.touching == fresh.touching);
-            }
-        }
-    }
-    CHECK(touching >= 5);
 }
 
 AS_STOCK("each vertex that is changed in place is seen") {
@@ -378,26 +209,6 @@ AS_STOCK("an edge that was edited away separates nothing") {
 
 // --- What else changes unannounced: fixtures, hulls, places.
 
-AS_STOCK("fixtures A and B may change places between two contacts of one body pair") {
-    Heard game(run);
-    // The second plank lies three beside its body's origin, so that no symmetry hides a mix-up.
-    b2Body *a = Slanting(game, 0.0f), *b = Slanting(game, -2.2f);
-    constexpr int kAll = Game::kPlankPieces, kHalf = kAll / 2;
-    game.Plank(a, {0.0f, 0.0f}, 0, kHalf);
-    game.Plank(b, {0.0f, 3.0f});
-    game.Plank(a, {0.0f, 0.0f}, kHalf, kAll);
-    b->SetLinearVelocity(Slanted(0.0f, -1.0f));
-    game.Step(3);
-    int first[2] = {0, 0};
-    for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-        ++first[c->GetFixtureA()->GetBody() == b];
-    game.Stage(first[0] > 0 && first[1] > 0, "both orders");
-    game.StagePairs();
-    game.Step(45);
-    game.Stage(game.Touching() > 1, "a collision");
-    game.Step(40);
-}
-
 AS_STOCK("a fixture that is added outside the hull collides at once") {
     Heard game(run);
     TwoPlanks planks(game, 0.6f);
@@ -484,38 +295,4 @@ AS_STOCK("the hull of a level does not swallow what is inside") {
     plank->SetLinearVelocity(Slanted(0.1f, -1.0f));
     game.Step(60);
     game.Stage(game.Touching() > 0, "a collision with the level");
-}
-
-AS_STOCK("no structure vouches for a body that is far from its own origin, be it the first or the second") {
-    constexpr float kFar = 3000.0f;
-    for (const bool farFirst : {false, true}) {
-        Heard game(run);
-        for (const bool far : {farFirst, !farFirst})
-            game.Plank(Slanting(game, far ? kFar + 0.6f : 0.0f, far ? b2_kinematicBody : b2_dynamicBody),
-                       {0.0f, far ? -kFar : 0.0f});
-        game.Step(2);
-        game.Stage(game.world.GetContactCount() >= 2 && game.Touching() == 0, "contacts, apart");
-        int vouched = 0;
-        for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-            vouched += run.HasPlugin() && bmr::internal::Inspect(*c).structure != nullptr;
-        run.Expect(vouched == 0, "edges at most");
-    }
-}
-
-// Our proofs are of numbers that are rounded to the nearest.
-AS_STOCK_HOW(kMayBeSilent, "Box2D answers for sensors in steps that round otherwise") {
-    Heard game(run);
-    game.Box(game.Body(b2_staticBody, {0.0f, 0.0f}), 1.0f, 1.0f)->SetSensor(true);
-    b2Body *const guest = game.Box({-0.8f, 0.1f}, {0.4f, 0.3f});
-    guest->SetSleepingAllowed(false);
-    guest->SetLinearVelocity({1.0f, 0.0f});
-    for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_TONEAREST, FE_DOWNWARD, FE_TOWARDZERO}) {
-        const uint64_t before = bmr::internal::ReadCounts().overlapsAnswered;
-        std::fesetround(mode);
-        game.Step(8);
-        std::fesetround(FE_TONEAREST);
-        const bool answered = bmr::internal::ReadCounts().overlapsAnswered > before;
-        run.ExpectCounted(answered == (mode == FE_TONEAREST), "who answers");
-    }
-    game.Stage(game.world.GetContactList()->IsTouching(), "the guest is inside");
 }
