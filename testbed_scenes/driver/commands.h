@@ -2,13 +2,13 @@
 #ifndef BOOMERANG_TESTBED_COMMANDS_H
 #define BOOMERANG_TESTBED_COMMANDS_H
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "usage.h"
 #include "workers.h"
 
 namespace testbed {
@@ -42,6 +42,19 @@ void AddWorld(CLI::App &app, Program &program);
 void AddStructureOption(CLI::App &app, WorkerOptions &worker, const std::vector<std::string> &structures);
 void AddSceneOptions(CLI::App &app, WorkerOptions &worker);
 void AddPluginSwitch(CLI::App &app, bool &plugin);
+
+/// "; the nearest is "planks"", or nothing where none is near.
+std::string NearestClause(const std::string &word, const std::vector<std::string> &candidates);
+
+/// What is wrong with a command line that CLI11 would not take: which command, which option, what it takes,
+/// and the nearest name where one is near. The program's name, which stands ahead of that, is the caller's to
+/// print. `app` has a name.
+std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error);
+
+/// Takes the whole numbers of a range. (CLI11's own Range takes 3.5 for one that is too large or too small,
+/// and without it -1 is the largest number there is.) Unless told otherwise `most` is more than anybody
+/// means.
+CLI::Validator Whole(uint64_t least, uint64_t most = 100000000);
 
 /// Throws a UsageError: there is no such thing of that name, and which one is nearest.
 [[noreturn]] void FailUnknown(const std::string &what, const std::string &name,

@@ -33,15 +33,12 @@ int Answer(int argc, char **argv) {
 
     app.footer(kExitCodes); // not before: commands would inherit it, and have it twice
 
-    const std::string unknown = ExplainCommand(app, argc, argv);
-    if (!unknown.empty())
-        throw UsageError(unknown);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError &error) {
         if (error.get_exit_code() == 0)
             return app.exit(error); // help, or the version
-        throw UsageError(ExplainUsage(app, error, argc, argv));
+        throw UsageError(ExplainUsage(app, error));
     }
     return program.status;
 }

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "usage.h"
+#include "commands.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <regex>
 #include <sstream>
 
 namespace testbed {
+namespace {
 
+/// The fewest insertions, deletions, replacements and swaps of neighbours that turn one word into the other
+/// (optimal string alignment). O(|a| |b|).
 int EditDistance(const std::string &a, const std::string &b) {
     // Three rows of the table: a swap of neighbours looks two rows back.
     std::vector<int> beforeLast(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
@@ -29,6 +31,9 @@ int EditDistance(const std::string &a, const std::string &b) {
     return last[b.size()];
 }
 
+/// The candidate that is nearest to the word, if one is near: one that begins with the word or contains it
+/// (three letters at least) goes before any that needs editing, and of those a third of the word's letters
+/// may be wrong. Empty if none is. Ties go to the earlier candidate.
 std::string Nearest(const std::string &word, const std::vector<std::string> &candidates) {
     constexpr size_t kLeastPart = 3;
     std::string best;
@@ -47,83 +52,6 @@ std::string Nearest(const std::string &word, const std::vector<std::string> &can
     }
     return best;
 }
-
-std::string NearestClause(const std::string &word, const std::vector<std::string> &candidates) {
-    const std::string nearest = Nearest(word, candidates);
-    return nearest.empty() ? "" : "; the nearest is \"" + nearest + "\"";
-}
-
-namespace {
-
-/// The place in argv of the word that should be a command; argc if there is none.
-int CommandAt(const CLI::App &app, int argc, char **argv) {
-    if (app.get_subcommands({}).empty())
-        return argc;
-    // Options of the program itself may stand ahead, each with its value.
-    const auto takesValue = [&app](const char *word) {
-        const CLI::Option *option = app.get_option_no_throw(word);
-        return option != nullptr && option->get_expected_min() > 0;
-    };
-    int first = 1;
-    while (first + 1 < argc && takesValue(argv[first]))
-        first += 2;
-    return first < argc && argv[first][0] != '-' ? first : argc;
-}
-
-/// A command with its options, and those of the program that may stand behind it.
-class Scope {
-public:
-    Scope(const CLI::App &app, int argc, char **argv) : m_app(app), m_command(&app) {
-        const int at = CommandAt(app, argc, argv);
-        for (const CLI::App *command : app.get_subcommands({}))
-            if (at < argc && command->get_name() == argv[at])
-                m_command = command;
-        m_words.assign(argv + std::min(argc, at == argc ? 1 : at + 1), argv + argc);
-    }
-
-    bool HasCommand() const { return m_command != &m_app; }
-    bool LacksCommand() const { return !HasCommand() && !m_app.get_subcommands({}).empty(); }
-    /// "render: ", or nothing where there is no command.
-    std::string Ahead() const { return HasCommand() ? m_command->get_name() + ": " : ""; }
-    /// "render has", or "there is" where there is no command.
-    std::string Has() const { return HasCommand() ? m_command->get_name() + " has" : "there is"; }
-    std::string Help() const {
-        return " (" + m_app.get_name() + (HasCommand() ? " " + m_command->get_name() : "") +
-               " --help shows all)";
-    }
-
-    const CLI::Option *Find(const std::string &name) const {
-        const CLI::Option *own = m_command->get_option_no_throw(name);
-        return own != nullptr ? own : m_app.get_option_no_throw(name);
-    }
-    /// The first word that looks like an option and is none; else empty.
-    std::string UnknownOption() const {
-        for (const std::string &word : m_words) {
-            if (word == "--")
-                break;
-            const bool isOption = word.size() > 1 && word[0] == '-' && word[1] != '.' &&
-                                  std::isdigit(static_cast<unsigned char>(word[1])) == 0;
-            std::string name = word.substr(0, word.find('='));
-            // Of a short option the value may follow at once.
-            if (isOption && Find(name) == nullptr && (name[1] == '-' || Find(name.substr(0, 2)) == nullptr))
-                return name;
-        }
-        return "";
-    }
-    std::vector<std::string> OptionNames() const {
-        std::vector<std::string> names;
-        for (const CLI::App *app : {m_command, &m_app})
-            for (const CLI::Option *option : app->get_options())
-                for (const std::string &name : option->get_lnames())
-                    names.push_back("--" + name);
-        return names;
-    }
-
-private:
-    const CLI::App &m_app;
-    const CLI::App *m_command;
-    std::vector<std::string> m_words;
-};
 
 /// What the option is, on a line of its own.
 std::string Described(const CLI::Option *option) {
@@ -147,38 +75,50 @@ std::string NearestOf(const std::string &said) {
 
 } // namespace
 
-std::string ExplainCommand(const CLI::App &app, int argc, char **argv) {
-    const int at = CommandAt(app, argc, argv);
-    if (at == argc)
-        return "";
-    std::vector<std::string> names;
-    for (const CLI::App *command : app.get_subcommands({})) {
-        if (command->get_name() == argv[at])
-            return "";
-        names.push_back(command->get_name());
-    }
-    return std::string("there is no command \"") + argv[at] + "\"" + NearestClause(argv[at], names) + " (" +
-           app.get_name() + " --help shows all)";
+std::string NearestClause(const std::string &word, const std::vector<std::string> &candidates) {
+    const std::string nearest = Nearest(word, candidates);
+    return nearest.empty() ? "" : "; the nearest is \"" + nearest + "\"";
 }
 
-std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error, int argc, char **argv) {
-    const Scope scope(app, argc, argv);
-    const std::string said = error.what();
-    if (const std::string unknown = scope.UnknownOption(); !unknown.empty())
-        return scope.Has() + " no option \"" + unknown + "\"" + NearestClause(unknown, scope.OptionNames()) +
-               scope.Help();
-    if (scope.LacksCommand()) {
+std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error) {
+    const std::vector<CLI::App *> parsed = app.get_subcommands();
+    const CLI::App &command = parsed.empty() ? app : *parsed.front();
+    const std::string name = parsed.empty() ? "" : command.get_name();
+    const std::string help = " (" + app.get_name() + (name.empty() ? "" : " " + name) + " --help shows all)";
+    const std::vector<std::string> left = app.remaining(true);
+    if (parsed.empty() && (left.empty() || left[0][0] != '-')) {
+        std::vector<std::string> names;
         std::string all;
-        for (const CLI::App *command : app.get_subcommands({}))
-            all += (all.empty() ? "" : ", ") + command->get_name();
-        return "a command is wanted: " + all + scope.Help();
+        for (const CLI::App *other : app.get_subcommands({})) {
+            names.push_back(other->get_name());
+            all += (all.empty() ? "" : ", ") + names.back();
+        }
+        if (left.empty())
+            return "a command is wanted: " + all + help;
+        return "there is no command \"" + left[0] + "\"" + NearestClause(left[0], names) + help;
+    }
+    for (const std::string &word : left) {
+        if (word.size() < 2 || word[0] != '-')
+            continue;
+        const std::string unknown = word.substr(0, word.find('='));
+        std::vector<std::string> names;
+        for (const CLI::App *its : {&command, &app})
+            for (const CLI::Option *option : its->get_options())
+                for (const std::string &known : option->get_lnames())
+                    names.push_back("--" + known);
+        return (name.empty() ? "there is" : name + " has") + " no option \"" + unknown + "\"" +
+               NearestClause(unknown, names) + help;
     }
     // The option's name begins what CLI11 says, or follows its first words.
-    static const std::regex name("(?:Could not convert: )?([\\w-]+).*");
+    static const std::regex option("(?:Could not convert: )?([\\w-]+).*");
+    const std::string said = error.what();
     std::smatch found;
-    const bool isNamed = std::regex_match(said, found, name);
-    const CLI::Option *option = isNamed ? scope.Find(found[1].str()) : nullptr;
-    return scope.Ahead() + said + NearestOf(said) + (option != nullptr ? Described(option) : scope.Help());
+    const CLI::Option *its = nullptr;
+    for (const CLI::App *may : {&app, &command})
+        if (std::regex_match(said, found, option) && may->get_option_no_throw(found[1].str()) != nullptr)
+            its = may->get_option_no_throw(found[1].str());
+    return (name.empty() ? "" : name + ": ") + said + NearestOf(said) +
+           (its != nullptr ? Described(its) : help);
 }
 
 CLI::Validator Whole(uint64_t least, uint64_t most) {

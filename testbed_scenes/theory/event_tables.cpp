@@ -68,61 +68,17 @@ std::optional<double> OverOptimum(const std::vector<Run> &runs, const bmr_kds_in
     return std::exp(logs / count);
 }
 
-Bound BoundFor(const bmr_kds_info &structure, bool rigid, bool convex) {
+std::string BoundFor(const bmr_kds_info &structure, bool rigid, bool convex) {
     if (structure.role == BMR_KDS_RIVAL)
-        return Bound::None;
-    const bool compass = structure.hierarchy == BMR_HIERARCHY_COMPASS,
-               point = structure.domain == BMR_KDS_POINT;
+        return "";
+    const std::string factor = structure.hierarchy == BMR_HIERARCHY_COMPASS ? " log" : "";
+    const bool point = structure.domain == BMR_KDS_POINT;
     if (!point && rigid)
-        return compass ? Bound::LinearLog : Bound::Linear;
+        return "1" + factor + (factor.empty() ? "" : "2");
     // Table 1: on convex paths the Dudley hierarchies of two polygons may cost the square root.
     if (convex && (point || structure.hierarchy != BMR_HIERARCHY_DUDLEY))
-        return Bound::Logarithmic;
-    return compass ? Bound::RootLog : Bound::Root;
-}
-
-/// The exponent that the bound has itself over these ratios, if a power is fitted to it.
-double ExponentOf(Bound bound, const std::vector<double> &ratios) {
-    std::vector<double> values;
-    for (const double ratio : ratios) {
-        const double root = std::sqrt(ratio), log = std::log2(ratio);
-        values.push_back(bound == Bound::Logarithmic ? log
-                         : bound == Bound::Root      ? root
-                         : bound == Bound::RootLog   ? root * log
-                         : bound == Bound::Linear    ? ratio
-                                                     : ratio * log * log);
-    }
-    bmr_growth fit = {};
-    Require(bmr_fit_growth(ratios.data(), values.data(), ratios.size(), &fit), "the bound's growth");
-    return fit.exponent;
-}
-
-/// Is a logarithm the better fit, in events rather than in parts of them? (Relative residuals weigh the first
-/// few events of a wide range most, where a power bends like a logarithm.)
-bool IsLogarithmic(const bmr_growth &fit, const std::vector<double> &ratios,
-                   const std::vector<double> &values) {
-    double ofLogarithm = 0.0, ofPower = 0.0;
-    for (size_t i = 0; i < ratios.size(); ++i) {
-        const double logarithm = values[i] - (fit.offset + fit.slope * std::log2(ratios[i]));
-        const double power = values[i] - fit.constant * std::pow(ratios[i], fit.exponent);
-        ofLogarithm += logarithm * logarithm;
-        ofPower += power * power;
-    }
-    return ofLogarithm <= ofPower;
-}
-
-/// What a growth that is the bound's own may be fitted above it.
-constexpr double kExponentRoom = 0.05;
-
-BoundVerdict VerdictOn(const Growth &growth, const std::vector<double> &ratios,
-                       const std::vector<double> &values) {
-    const bmr_growth &fit = growth.fit;
-    const double bound = ExponentOf(growth.bound, ratios);
-    if (growth.bound == Bound::Logarithmic && IsLogarithmic(fit, ratios, values))
-        return BoundVerdict::Holds;
-    if (fit.exponent + fit.exponent_error <= bound + kExponentRoom)
-        return BoundVerdict::Holds;
-    return fit.exponent - fit.exponent_error > bound ? BoundVerdict::Refuted : BoundVerdict::Open;
+        return "log";
+    return "1/2" + factor;
 }
 
 std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &motion,
@@ -143,43 +99,16 @@ std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &
     if (different.size() < 3 ||
         bmr_fit_growth(ratios.data(), values.data(), ratios.size(), &growth.fit) != BMR_OK)
         return std::nullopt;
-    if (growth.bound != Bound::None)
-        growth.verdict = VerdictOn(growth, ratios, values);
     return growth;
-}
-
-const char *NameOf(Bound bound) {
-    switch (bound) {
-    case Bound::Logarithmic:
-        return "log";
-    case Bound::Root:
-        return "1/2";
-    case Bound::RootLog:
-        return "1/2 log";
-    case Bound::Linear:
-        return "1";
-    case Bound::LinearLog:
-        return "1 log2";
-    case Bound::None:
-        break;
-    }
-    return "-";
 }
 
 std::string TextOf(const Growth &growth) {
     char number[32];
-    if (growth.bound == Bound::Logarithmic)
+    if (growth.bound == "log")
         std::snprintf(number, sizeof number, "+%.1f", growth.fit.slope);
     else
         std::snprintf(number, sizeof number, "%.2f", growth.fit.exponent);
-    std::string text = number;
-    if (growth.verdict != BoundVerdict::None)
-        text += std::string(" <") + NameOf(growth.bound);
-    if (growth.verdict == BoundVerdict::Refuted)
-        text += " NO";
-    else if (growth.verdict == BoundVerdict::Open)
-        text += " ?";
-    return text;
+    return number + (growth.bound.empty() ? "" : " <" + growth.bound);
 }
 
 QualitySummary QualitiesOver(const std::vector<Run> &runs, const bmr_kds_info *structure) {

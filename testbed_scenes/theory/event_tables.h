@@ -75,33 +75,16 @@ std::optional<double> MeanOptimum(const std::vector<Run> &runs, const std::strin
 std::optional<double> OverOptimum(const std::vector<Run> &runs, const bmr_kds_info *structure,
                                   size_t ratioIndex);
 
-/// What the paper's table says of the number of events in D/sigma, while n is larger than its square root.
-enum class Bound {
-    None,        ///< nothing that D/sigma tells
-    Logarithmic, ///< log(D/sigma)
-    Root,        ///< sqrt(D/sigma)
-    RootLog,     ///< sqrt(D/sigma) log(D/sigma): compass hierarchies
-    Linear,      ///< D/sigma
-    LinearLog    ///< (D/sigma) log^2(D/sigma): compass hierarchies
-};
-Bound BoundFor(const bmr_kds_info &structure, bool rigid, bool convex);
+/// What the paper's table says of the number of events, as a power of D/sigma, while n is larger than its
+/// square root: "log", "1/2", "1/2 log" (compass hierarchies), "1" or "1 log2"; empty: nothing.
+std::string BoundFor(const bmr_kds_info &structure, bool rigid, bool convex);
 
-/// What a fit says of a bound. All of the exponent's confidence interval above the bound's own exponent over
-/// the same ratios refutes it, and all of it below (or above by no more than seeds and whole events make of
-/// the bound itself) confirms it. An interval that merely reaches the bound says nothing. A logarithm is
-/// confirmed, too, where it is the better fit.
-enum class BoundVerdict { None, Holds, Open, Refuted };
-
-/// How the number of events grew with D/sigma, and whether that is within the paper's bound.
+/// How the number of events grew with D/sigma, and what the paper's bound is.
 struct Growth {
     bmr_growth fit = {};
-    Bound bound = Bound::None;
-    BoundVerdict verdict = BoundVerdict::None; ///< None: there is no bound
+    std::string bound;
 };
-/// The bound's power of D/sigma: "log", "1/2", "1/2 log", "1", "1 log2"; "-" where there is none.
-const char *NameOf(Bound bound);
-/// "0.47 <1/2", or "+0.6 <log" for events per doubling; with " NO" where that refutes the bound, and " ?"
-/// where it says nothing.
+/// "0.47 <1/2", or "+0.6 <log" for events per doubling.
 std::string TextOf(const Growth &growth);
 /// Nothing where there are fewer than three ratios with events.
 std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &motion,

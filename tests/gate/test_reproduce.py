@@ -84,6 +84,14 @@ class Reproduced(unittest.TestCase):
             result.number("x", committed, measured)
         self.assertEqual(len(result.wrong), 3)
 
+    def test_a_bound_holds_where_the_growth_is_its_own_and_not_where_it_is_faster(self):
+        ratios = [8.0 * 4**i for i in range(8)]
+        bounds = list(reproduce.BOUNDS) # each grows faster than those before it
+        for i, bound in enumerate(bounds):
+            for j, growth in enumerate(bounds):
+                means = [10 * reproduce.BOUNDS[growth](ratio) for ratio in ratios]
+                self.assertEqual(reproduce.holds(bound, ratios, means), j <= i, (bound, growth))
+
     def test_what_there_is_not_is_refused(self):
         code, said = reproduced("table-7")
         self.assertEqual(code, 2)
