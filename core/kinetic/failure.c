@@ -160,7 +160,7 @@ static double value_at(double time, void *context) {
 }
 
 /// From positive at `low` to not positive at `high`: a time, at most the tolerance before the root, at which
-/// it is still positive.
+/// it is not negative.
 static double narrow(const search *s, double low, double high) {
     search copy = *s;
     gsl_function function = {value_at, &copy};

@@ -6,6 +6,7 @@
 #include <pthread.h>
 
 #include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
 
 // ---- GSL's error handler ----
 
@@ -37,6 +38,9 @@ void bmr_gsl_guard_leave(void) {
 /// The most steps towards one root. Newton's method, with bisection where it would leave the bracket, ends
 /// long before.
 #define NEWTON_STEPS 200
+
+/// Room for the state of gsl_root_fdfsolver_newton (two doubles in GSL 2): on the stack nothing can fail.
+#define NEWTON_DOUBLES 16
 
 typedef struct part {
     double low, width;
@@ -73,15 +77,52 @@ static void halve(part *left, size_t n, part *right) {
     }
 }
 
-/// From a bracket with one root: positive at `low`, not at `high`.
+typedef struct polynomial {
+    const double *c;
+    size_t degree;
+} polynomial;
+
+static void value_and_slope(double x, void *context, double *value, double *slope) {
+    const polynomial *p = context;
+    *value = p->c[p->degree];
+    *slope = 0.0;
+    for (size_t k = p->degree; k-- > 0;) {
+        *slope = *slope * x + *value;
+        *value = *value * x + p->c[k];
+    }
+}
+
+static double value_at(double x, void *context) {
+    double value, slope;
+    value_and_slope(x, context, &value, &slope);
+    return value;
+}
+
+static double slope_at(double x, void *context) {
+    double value, slope;
+    value_and_slope(x, context, &value, &slope);
+    return slope;
+}
+
+/// Where Newton's method goes from x; not a number where the slope is zero.
+static double newton_step(gsl_function_fdf *function, double x) {
+    double state[NEWTON_DOUBLES];
+    gsl_root_fdfsolver solver = {gsl_root_fdfsolver_newton, NULL, 0.0, state};
+    return gsl_root_fdfsolver_newton->size <= sizeof state &&
+                   gsl_root_fdfsolver_set(&solver, function, x) == GSL_SUCCESS &&
+                   gsl_root_fdfsolver_iterate(&solver) == GSL_SUCCESS
+               ? solver.root
+               : NAN;
+}
+
+/// From a bracket with one root: positive at `low`, not at `high`. Newton's method, from GSL.
 static double narrow(const double *c, size_t n, double low, double high, double tolerance) {
+    polynomial p = {c, n};
+    gsl_function_fdf function = {value_at, slope_at, value_and_slope, &p};
     double x = low + 0.5 * (high - low);
+    bmr_gsl_guard_enter();
     for (int step = 0; step < NEWTON_STEPS; step++) {
-        double value = c[n], slope = 0.0;
-        for (size_t k = n; k-- > 0;) {
-            slope = slope * x + value;
-            value = value * x + c[k];
-        }
+        const double value = value_at(x, &p);
         if (value > 0.0)
             low = x;
         else
@@ -89,12 +130,13 @@ static double narrow(const double *c, size_t n, double low, double high, double 
         const double width = resolution(high, tolerance);
         if (high - low <= width)
             break;
-        double next = x - value / slope;
+        double next = newton_step(&function, x);
         // Close to the root the steps stay on one side of it; half a width further brackets it.
         if (fabs(next - x) <= 0.5 * width)
             next += value > 0.0 ? 0.5 * width : -0.5 * width;
         x = next > low && next < high ? next : low + 0.5 * (high - low);
     }
+    bmr_gsl_guard_leave();
     return low;
 }
 

@@ -13,9 +13,10 @@ extern "C" {
 /// The time at which a condition first fails while the two bodies move (section 2 of the paper: "we can
 /// compute the next time t when F(t) = 0"). In boomerang::kinetic.
 
-/// Roots of algebraic motions are found by subdivision in the Bernstein basis. (If a spinning screw motion
-/// takes part, the function is no polynomial. Then the search takes steps over which a bound of the second
-/// derivative keeps the condition positive, and gsl_root_fsolver_brent finds the last digits.)
+/// Under algebraic motions the function is a polynomial. Subdivision in the Bernstein basis separates its
+/// first root from the others, and gsl_root_fdfsolver_newton finds the last digits. (If a spinning screw
+/// motion takes part, the search takes steps over which a bound of the second derivative keeps the condition
+/// positive, and gsl_root_fsolver_brent finds the last digits.)
 typedef struct bmr_failure_options {
     /// > 0. A failure may be reported early by at most this much time, times max(1, |time|) and not less than
     /// a few roundings of the time. It is never reported late: until the returned time the condition's true
