@@ -134,3 +134,18 @@ AS_STOCK(
     game.Step(5);
     game.TookPlace(woken, "the listener wakes one that leans");
 }
+
+// Box2D clears the forces of all bodies, also in a step that solves no island.
+AS_STOCK("no time: a sleeper is pushed ahead of a step of no time, which forgets the push") {
+    Game game(run);
+    AddOthers(game);
+    b2Body *const pushed = game.Box({0.0f, 40.0f});
+    game.Step();
+    pushed->SetAwake(false);
+    game.Step(40); // until Bodies finds that few are awake
+    const bool slept = !pushed->IsAwake();
+    pushed->ApplyForceToCenter({50.0f, 0.0f}, true);
+    game.Step(1, 0.0f);
+    game.Step(5);
+    game.TookPlace(slept, "a sleeper is pushed");
+}
