@@ -5,6 +5,7 @@
 
 #include "boomerang/outline_shape.h"
 #include "cases.h"
+#include "small_world.h"
 
 #include "box2d_shapes.h"
 
@@ -13,12 +14,6 @@ using namespace shapes;
 using Ring = std::vector<b2Vec2>;
 
 namespace {
-
-b2Body *AddBody(b2World *world, b2BodyType type = b2_dynamicBody) {
-    b2BodyDef def;
-    def.type = type;
-    return world->CreateBody(&def);
-}
 
 /// Box2D's, about the centre: b2Body shows it about the origin alone, where the rest is lost.
 double InertiaOf(b2Body *body) {
@@ -89,7 +84,7 @@ TEST_CASE("an inertia is the nearest that floats hold or one beside it, whatever
             continue;
         const Exact exact = Weigh(ring, double{density});
         b2World world(b2Vec2(0.0f, 0.0f));
-        b2Body *const body = AddBody(&world);
+        b2Body *const body = AddBody(world);
         const bmr_error error = outline.CreateFixtures(body, density);
         if (error == BMR_OK) {
             ++held;
@@ -119,8 +114,8 @@ TEST_CASE("what cannot be held is refused with what to do, and not where nothing
     OutlineShape outline;
     REQUIRE(MakeOutline(five, &outline));
     b2World world(b2Vec2(0.0f, 0.0f));
-    b2Body *const turning = AddBody(&world), *const fixed = AddBody(&world),
-                  *const still = AddBody(&world, b2_staticBody);
+    b2Body *const turning = AddBody(world), *const fixed = AddBody(world),
+                  *const still = AddBody(world, b2_staticBody);
     fixed->SetFixedRotation(true);
     CHECK(outline.CreateFixtures(turning, 1.0f) == BMR_ERROR_FAR_FROM_ORIGIN);
     CHECK(outline.CreateFixtures(turning, 0.0f) == BMR_OK);
@@ -134,7 +129,7 @@ TEST_CASE("what cannot be held is refused with what to do, and not where nothing
     // One that alone can be held, on a body that has what cannot.
     OutlineShape elbow;
     REQUIRE(MakeOutline(kElbow, &elbow));
-    b2Body *const both = AddBody(&world);
+    b2Body *const both = AddBody(world);
     CHECK(elbow.CreateFixtures(both, 1.0f) == BMR_OK);
     bmr::ConvexShape coin;
     REQUIRE(coin.SetRegular(16, 0.3f) == BMR_OK);
@@ -150,7 +145,7 @@ TEST_CASE("of several outlines on a body, too, an inertia is right to an eighth,
         const float away = std::pow(10.0f, UniformF(engine, 2.0, 3.5)), angle = UniformF(engine, -3.2, 3.2);
         const b2Vec2 at = away * b2Vec2(std::cos(angle), std::sin(angle));
         b2World world(b2Vec2(0.0f, 0.0f));
-        b2Body *const body = AddBody(&world);
+        b2Body *const body = AddBody(world);
         std::vector<Ring> rings;
         for (int i = 2 + Below(engine, 3); i > 0; --i) {
             const Ring ring = RandomRing(engine, at, UniformF(engine, 0.3, 2.0));
@@ -190,7 +185,7 @@ TEST_CASE("a polygon of more than 8 vertices has the nearest inertia that floats
         bmr::ConvexShape coin;
         REQUIRE(coin.Set(ring.data(), 16) == BMR_OK);
         b2World world(b2Vec2(0.0f, 0.0f));
-        b2Body *const body = AddBody(&world);
+        b2Body *const body = AddBody(world);
         body->CreateFixture(&coin, 1.0f);
         const Exact exact = Weigh(ring, 1.0);
         const double inertia = InertiaOf(body);
@@ -211,7 +206,7 @@ TEST_CASE("whatever is put on a body and taken off it, Box2D's inertia stays abo
         b2World world(b2Vec2(0.0f, 0.0f));
         // What stands still is weighed when it is set free.
         const bool still = Below(engine, 2) == 0;
-        b2Body *const body = AddBody(&world, still ? b2_staticBody : b2_dynamicBody);
+        b2Body *const body = AddBody(world, still ? b2_staticBody : b2_dynamicBody);
         for (int i = still ? 1 : 1 + Below(engine, 3); i > 0; --i) {
             OutlineShape outline;
             if (MakeOutline(RandomRing(engine, at, UniformF(engine, 0.1, 2.0)), &outline))

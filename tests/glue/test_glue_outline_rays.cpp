@@ -7,6 +7,7 @@
 #include "boomerang/outline_shape.h"
 #include "box2d_shapes.h"
 #include "cases.h"
+#include "small_world.h"
 
 using Ring = std::vector<b2Vec2>;
 
@@ -15,6 +16,7 @@ namespace {
 const Ring kTee = {{-1, -3}, {1, -3}, {1, 0}, {4, 0}, {4, 2}, {-4, 2}, {-4, 0}, {-1, 0}};
 const Ring kPlus = {{-1, -3}, {1, -3}, {1, -1}, {3, -1}, {3, 1},   {1, 1},
                     {1, 3},   {-1, 3}, {-1, 1}, {-3, 1}, {-3, -1}, {-1, -1}};
+const Ring kWindow = {{-0.5f, -0.75f}, {-0.75f, 0.5f}, {0.75f, 0.75f}, {0.5f, -0.5f}}; // of kPlus, clockwise
 const Ring kSteps = {{-3, 0}, {1, 0}, {1, 2}, {3, 2}, {3, 4}, {-1, 4}, {-1, 2}, {-3, 2}};
 
 using shapes::Below, shapes::UniformF, shapes::Engine;
@@ -56,11 +58,10 @@ b2Vec2 Last(const Ring &ring, size_t i) {
     return ring[i > 0 ? i - 1 : ring.size() - 1];
 }
 
-/// Where the line from p1 to p2 crosses edges, and whether it comes in there: all in order. False where it
-/// is too near to a vertex, or p1 to an edge, to say by floats.
+/// Adds where the line from p1 to p2 crosses edges, and whether it comes in there: all in order. False where
+/// it is too near to a vertex, or p1 to an edge, to say by floats.
 bool Crossings(const Ring &ring, b2Vec2 p1, b2Vec2 p2, std::vector<std::pair<double, bool>> *found) {
     const b2Vec2 way = p2 - p1;
-    found->clear();
     for (size_t i = 0; i < ring.size(); ++i) {
         const b2Vec2 a = ring[i], edge = Next(ring, i) - a;
         const double begin = Cross(way, a - p1), end = Cross(way, Next(ring, i) - p1);
@@ -118,28 +119,27 @@ Cast CastRay(const b2World &world, b2Vec2 p1, b2Vec2 p2) {
     return cast;
 }
 
-b2Body *AddBody(b2World &world, const bmr::OutlineShape &outline, b2Vec2 place = {0.0f, 0.0f}) {
-    b2BodyDef def;
-    def.position = place;
-    b2Body *body = world.CreateBody(&def);
+b2Body *AddOutline(b2World &world, const bmr::OutlineShape &outline, b2Vec2 place = {0.0f, 0.0f}) {
+    b2Body *body = AddBody(world, b2_staticBody, place);
     REQUIRE(outline.CreateFixtures(body, 1.0f) == BMR_OK);
     return body;
 }
 
-bool Cut(const Ring &ring, bmr::OutlineShape *outline) {
-    return outline->Set(ring.data(), static_cast<int32>(ring.size())) == BMR_OK;
+bool Cut(const Ring &ring, bmr::OutlineShape *outline, const Ring &window = {}) {
+    const bmr::OutlineHole hole = {window.data(), static_cast<int32>(window.size())};
+    return outline->Set(ring.data(), static_cast<int32>(ring.size()), &hole, window.empty() ? 0 : 1) ==
+           BMR_OK;
 }
 
-struct Pen final : b2Draw {
-    void DrawPolygon(const b2Vec2 *, int32, const b2Color &) override {}
-    void DrawSolidPolygon(const b2Vec2 *, int32, const b2Color &) override {}
-    void DrawCircle(const b2Vec2 &, float, const b2Color &) override {}
-    void DrawSolidCircle(const b2Vec2 &, float, const b2Vec2 &, const b2Color &) override {}
+struct Pen final : IdleDraw {
+    void DrawSolidPolygon(const b2Vec2 *v, int32 count, const b2Color &) override {
+        for (int32 i = 2; i < count; ++i)
+            area += 0.5 * Cross(v[i - 1] - v[0], v[i] - v[0]);
+    }
     void DrawSegment(const b2Vec2 &a, const b2Vec2 &b, const b2Color &) override {
         segments.emplace_back(a, b);
     }
-    void DrawTransform(const b2Transform &) override {}
-    void DrawPoint(const b2Vec2 &, float, const b2Color &) override {}
+    double area = 0.0; ///< of the pieces
     std::vector<std::pair<b2Vec2, b2Vec2>> segments;
 };
 
@@ -154,7 +154,7 @@ TEST_CASE("a ray that aims at a vertex of an outline comes in there") {
         if (ring.size() < 5 || !Cut(ring, &outline) || outline.GetPieceCount() < 3)
             continue;
         b2World world(b2Vec2(0.0f, 0.0f));
-        AddBody(world, outline);
+        AddOutline(world, outline);
         for (int i = 0; i < 20; ++i) {
             const size_t at = static_cast<size_t>(Below(engine, static_cast<int>(ring.size())));
             const b2Vec2 to = ring[at], from = GridPoint(engine, 32);
@@ -181,14 +181,16 @@ TEST_CASE("a ray hits where it comes in from outside, and nowhere else, wherever
                           : trial % 4 == 1 ? kTee
                           : trial % 4 == 2 ? kPlus
                                            : kSteps;
+        const Ring window = trial % 8 == 2 ? kWindow : Ring();
         bmr::OutlineShape outline;
-        if (!Cut(ring, &outline))
+        if (!Cut(ring, &outline, window))
             continue;
         b2World world(b2Vec2(0.0f, 0.0f));
-        AddBody(world, outline);
+        AddOutline(world, outline);
         for (int i = 0; i < 40; ++i) {
             const b2Vec2 p1 = Point(engine, 8.0f), p2 = Point(engine, 8.0f);
-            if (!Crossings(ring, p1, p2, &crossings))
+            crossings.clear();
+            if (!Crossings(ring, p1, p2, &crossings) || !Crossings(window, p1, p2, &crossings))
                 continue;
             double expected = 2.0;
             for (auto c = crossings.rbegin(); c != crossings.rend(); ++c)
@@ -216,7 +218,7 @@ TEST_CASE("a ray that runs along the outline, or begins on it, finds no seam") {
     REQUIRE(Cut(ring, &outline));
     REQUIRE(outline.GetPieceCount() > 4);
     b2World world(b2Vec2(0.0f, 0.0f));
-    AddBody(world, outline);
+    AddOutline(world, outline);
     for (const float y : {0.0f, 1e-7f, -1e-7f, -1e-3f})
         for (const float down : {0.0f, 1e-7f, -1e-7f})
             for (const float x : {0.5f, 1.0f, 3.0f})
@@ -235,10 +237,10 @@ TEST_CASE("what is left of a body whose pieces go singly keeps its seams") {
     bmr::OutlineShape outline;
     REQUIRE(Cut(kTee, &outline));
     b2World world(b2Vec2(0.0f, 0.0f));
-    b2Body *body = AddBody(world, outline), *alone = AddBody(world, outline, b2Vec2(20.0f, 0.0f));
+    b2Body *body = AddOutline(world, outline), *alone = AddOutline(world, outline, b2Vec2(20.0f, 0.0f));
     REQUIRE(outline.GetPieceCount() == 2);
     alone->DestroyFixture(alone->GetFixtureList());
-    b2Body *other = AddBody(world, outline, b2Vec2(40.0f, 0.0f));
+    b2Body *other = AddOutline(world, outline, b2Vec2(40.0f, 0.0f));
     other->DestroyFixture(other->GetFixtureList()->GetNext());
     outline = bmr::OutlineShape();
     world.DestroyBody(body);
@@ -263,15 +265,17 @@ TEST_CASE("of an outline each edge is drawn once, also those that pieces share w
         if (!Cut(ring, &outline) || outline.GetPieceCount() < 2)
             continue;
         b2World world(b2Vec2(0.0f, 0.0f));
-        AddBody(world, outline);
+        AddOutline(world, outline);
         Pen pen;
         bmr::DrawConvexShapes(world, pen);
         float length = 0.0f, drawn = 0.0f;
+        double area = 0.0;
         for (const auto &segment : pen.segments)
             drawn += (segment.second - segment.first).Length();
         for (size_t i = 0; i < ring.size(); ++i) {
             const b2Vec2 a = ring[i], b = Next(ring, i), middle = 0.5f * (a + b);
             length += (b - a).Length();
+            area += 0.5 * Cross(a, b);
             int covered = 0;
             for (const auto &segment : pen.segments)
                 covered += std::fabs((segment.first - middle).Length() + (segment.second - middle).Length() -
@@ -279,6 +283,7 @@ TEST_CASE("of an outline each edge is drawn once, also those that pieces share w
             CHECK(covered == 1);
         }
         CHECK(drawn == doctest::Approx(length).epsilon(1e-5));
+        CHECK(pen.area == doctest::Approx(area).epsilon(1e-5));
         if (trial < 3)
             CHECK(pen.segments.size() == ring.size());
     }

@@ -7,6 +7,7 @@
 #include "box2d_shapes.h"
 #include "cases.h"
 #include "shapes/outline_record.h"
+#include "small_world.h"
 
 #include "failing_allocator.h"
 
@@ -49,13 +50,6 @@ Ring Scan() {
         ring.emplace_back(3.0f + radius * std::cos(angle), radius * std::sin(angle));
     }
     return ring;
-}
-
-b2Body *AddBody(b2World &world, b2BodyType type = b2_dynamicBody, b2Vec2 place = {0.0f, 0.0f}) {
-    b2BodyDef def;
-    def.type = type;
-    def.position = place;
-    return world.CreateBody(&def);
 }
 
 int CountFixtures(const b2Body &body) {
@@ -367,30 +361,6 @@ TEST_CASE("the outline turns at a piece's corner as it does, whichever of its ed
     bmr::registry::ReleaseGroup(record);
 }
 
-TEST_CASE("rays come in by the outline alone") {
-    b2World world(b2Vec2(0.0f, 0.0f));
-    b2Body *body = AddBody(world);
-    REQUIRE(Frame().CreateFixtures(body, 1.0f) == BMR_OK);
-    world.Step(0.01f, 1, 1);
-    struct Closest final : b2RayCastCallback {
-        float ReportFixture(b2Fixture *, const b2Vec2 &, const b2Vec2 &n, float f) override {
-            fraction = f;
-            normal = n;
-            return f;
-        }
-        float fraction = 2.0f;
-        b2Vec2 normal = {0.0f, 0.0f};
-    };
-    Closest outside, inside, window;
-    world.RayCast(&outside, b2Vec2(-5.0f, 0.9f), b2Vec2(5.0f, 0.9f));
-    CHECK(outside.fraction == doctest::Approx(0.2f));
-    CHECK(outside.normal.x < -0.99f);
-    world.RayCast(&inside, b2Vec2(-2.9f, 0.9f), b2Vec2(5.0f, 0.8f)); // from the solid to the outside
-    CHECK(inside.fraction > 1.0f);
-    world.RayCast(&window, b2Vec2(1.0f, 0.0f), b2Vec2(9.0f, 0.0f)); // from the hole on
-    CHECK(window.fraction == doctest::Approx(0.125f));
-}
-
 TEST_CASE("of all the contacts of two outlines one begins and one ends") {
     struct Listener final : b2ContactListener {
         void BeginContact(b2Contact *contact) override {
@@ -475,22 +445,4 @@ TEST_CASE("each piece has a mass that there can be, whatever the tolerance fills
         REQUIRE(outline.DestroyFixtures(body) == BMR_OK);
         CHECK(body->GetFixtureList() == nullptr);
     }
-}
-
-TEST_CASE("drawn are the pieces, and of the outline each edge once") {
-    struct Drawer final : IdleDraw {
-        void DrawSolidPolygon(const b2Vec2 *v, int32 count, const b2Color &) override {
-            for (int32 i = 2; i < count; ++i)
-                area += 0.5f * b2Cross(v[i - 1] - v[0], v[i] - v[0]);
-        }
-        void DrawSegment(const b2Vec2 &a, const b2Vec2 &b, const b2Color &) override {
-            length += (b - a).Length();
-        }
-        float area = 0.0f, length = 0.0f;
-    } drawer;
-    b2World world(b2Vec2(0.0f, 0.0f));
-    REQUIRE(Frame().CreateFixtures(AddBody(world), 1.0f) == BMR_OK);
-    bmr::DrawConvexShapes(world, drawer);
-    CHECK(drawer.area == doctest::Approx(10.0f));
-    CHECK(drawer.length == doctest::Approx(16.0f + 6.0f));
 }

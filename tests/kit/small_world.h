@@ -13,14 +13,19 @@
 /// @file
 /// What games share. They are plain Box2D programs: they know nothing of Boomerang.
 
-inline b2Body *AddBox(b2World &world, b2BodyType type, b2Vec2 at, b2Vec2 half, float angle,
-                      bool sensor = false) {
+inline b2Body *AddBody(b2World &world, b2BodyType type = b2_dynamicBody, b2Vec2 at = {0.0f, 0.0f},
+                       float angle = 0.0f) {
     b2BodyDef def;
     def.type = type;
     def.position = at;
     def.angle = angle;
     def.userData.pointer = static_cast<uintptr_t>(world.GetBodyCount());
-    b2Body *body = world.CreateBody(&def);
+    return world.CreateBody(&def);
+}
+
+inline b2Body *AddBox(b2World &world, b2BodyType type, b2Vec2 at, b2Vec2 half, float angle,
+                      bool sensor = false) {
+    b2Body *body = AddBody(world, type, at, angle);
     b2PolygonShape box;
     box.SetAsBox(half.x, half.y);
     b2FixtureDef fixture;
@@ -33,11 +38,7 @@ inline b2Body *AddBox(b2World &world, b2BodyType type, b2Vec2 at, b2Vec2 half, f
 
 /// A wheel of `count` triangles: bodies of many fixtures, whose contacts share the hulls of the two.
 inline b2Body *AddWheel(b2World &world, b2Vec2 at, int count, float radius) {
-    b2BodyDef def;
-    def.type = b2_dynamicBody;
-    def.position = at;
-    def.userData.pointer = static_cast<uintptr_t>(world.GetBodyCount());
-    b2Body *body = world.CreateBody(&def);
+    b2Body *body = AddBody(world, b2_dynamicBody, at);
     for (int i = 0; i < count; ++i) {
         const b2Rot from(2.0f * b2_pi * static_cast<float>(i) / static_cast<float>(count));
         const b2Rot to(2.0f * b2_pi * static_cast<float>(i + 1) / static_cast<float>(count));
