@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What core's public headers say, as clang reads them: constants, enumerations, records with their layout, functions with their types."""
+"""What core's public headers say, as clang reads them: records with their layout, functions with their types."""
 import json
 import re
 import subprocess
@@ -21,33 +21,19 @@ def include_all(root):
     return "".join(f"#include <boomerang/{header.name}>\n" for header in sorted((root / INCLUDE / "boomerang").glob("*.h")))
 
 
-def values_of(enumeration):
-    """(name, value) of each constant; a count of constants may grow, and is none of them."""
-    value = -1
-    for constant in enumeration.get("inner", []):
-        if constant["kind"] != "EnumConstantDecl":
-            continue
-        given = [part["value"] for part in constant.get("inner", []) if "value" in part]
-        value = int(given[0]) if given else value + 1
-        if not constant["name"].lower().endswith("count"):
-            yield constant["name"], value
-
-
 def declarations(root, source):
-    """What clang's syntax tree has of ours: (functions, enumerations, names of records)."""
+    """What clang's syntax tree has of ours: ({function: type}, names of records)."""
     nodes = json.loads(clang(root, source, "-Xclang", "-ast-dump=json"))["inner"]
-    functions, enums, records = {}, {}, set()
+    functions, records = {}, set()
     for node in nodes:
         name = node.get("name", "")
         if not name.lower().startswith("bmr_") or name.endswith("_"):
             continue
         if node["kind"] == "FunctionDecl":
-            functions[name] = ("inline" if node.get("inline") else "function", node["type"]["qualType"])
-        elif node["kind"] == "EnumDecl" and name:
-            enums[name] = list(values_of(node))
+            functions[name] = node["type"]["qualType"]
         elif node["kind"] == "RecordDecl" and name and node.get("completeDefinition"):
             records.add(name)
-    return functions, enums, records
+    return functions, records
 
 
 def layouts(root, source, records):
@@ -68,17 +54,7 @@ def layouts(root, source, records):
                 yield f"record {name} {member.group(1)}: {re.sub(r' at [^)]*|struct ', '', member.group(2))}"
 
 
-def constants(root, source):
-    """Macros of numbers: what is compiled into programs."""
-    for line in clang(root, source, "-E", "-dM").splitlines():
-        macro = re.match(r"#define (BMR_\w+) (.*\d.*)$", line)
-        if macro:
-            yield f"constant {macro.group(1)} = {macro.group(2)}"
-
-
 def types(root):
     source = include_all(root)
-    functions, enums, records = declarations(root, source)
-    lines = [f"{kind} {name}: {shape}" for name, (kind, shape) in functions.items()]
-    lines += [f"enum {name} {constant} = {value}" for name, pairs in enums.items() for constant, value in pairs]
-    return sorted({*lines, *layouts(root, source, records), *constants(root, source)})
+    functions, records = declarations(root, source)
+    return sorted({*(f"function {name}: {shape}" for name, shape in functions.items()), *layouts(root, source, records)})

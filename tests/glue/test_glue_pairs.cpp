@@ -7,11 +7,13 @@
 #include <box2d/box2d.h>
 
 #include "base/private_members.h"
+#include "box2d_shapes.h"
 #include "cases.h"
 #include "glue/pairs/fixture_motion.h"
 #include "glue/pairs/pair_table.h"
 #include "glue/pairs/table_cost.h"
 #include "random.h"
+#include "shapes/small_polygon.h"
 
 namespace {
 
@@ -260,6 +262,30 @@ TEST_CASE("nothing is claimed beyond the reach and the angle that the margins of
     // In the next band twice as far.
     CHECK(!IsNothingClaimed(endAt(2.0f * bmr::kImpactReach - 3.0f, 0.0f, little, 0.0f)));
     CHECK(IsNothingClaimed(endAt(2.0f * bmr::kImpactReach - 3.0f, 0.0f, farther, 0.0f)));
+}
+
+TEST_CASE("each vertex, normal, skin and count of a polygon that is edited in place makes another digest") {
+    for (int32 count = 3; count <= b2_maxPolygonVertices; ++count) {
+        b2PolygonShape shape;
+        shape.Set(shapes::Circle(count, 0.3).data(), count);
+        const uint64_t digest = bmr::DigestOf(shape);
+        const auto differs = [&shape, digest](float *number) {
+            const float before = *number;
+            *number = std::nextafter(before, 9.0f);
+            const bool is = bmr::DigestOf(shape) != digest;
+            *number = before;
+            return is;
+        };
+        CHECK(differs(&shape.m_radius));
+        for (int32 i = 0; i < count; ++i)
+            for (b2Vec2 *const v : {&shape.m_vertices[i], &shape.m_normals[i]})
+                CHECK((differs(&v->x) && differs(&v->y)));
+        if (count < b2_maxPolygonVertices) // the control: what is past the count does not belong to it
+            CHECK_FALSE(differs(&shape.m_vertices[count].x));
+        CHECK(bmr::DigestOf(shape) == digest);
+        --shape.m_count;
+        CHECK(bmr::DigestOf(shape) != digest);
+    }
 }
 
 TEST_CASE("who was not looked at in the sweeps may stop others") {

@@ -166,21 +166,6 @@ TEST_CASE("control: a margin a tenth of the rounding margin inside the diagonal 
     }
 }
 
-TEST_CASE("the diagonal is reached: corner to corner, Box2D gives points nearly sqrt(2) radii away") {
-    b2PolygonShape box;
-    box.SetAsBox(0.5f, 0.5f);
-    const double sum = 2.0 * double{box.m_radius};
-    b2Transform xfA, xfB;
-    xfA.SetIdentity();
-    xfB.SetIdentity();
-    b2Manifold manifold;
-    xfB.p.Set(1.0f + static_cast<float>(0.999 * sum), 1.0f + static_cast<float>(0.999 * sum));
-    b2CollidePolygons(&manifold, &box, xfA, &box, xfB);
-    CHECK(manifold.pointCount > 0);
-    CHECK(shapes::Measure(box, xfA, box, xfB).distance > 1.41 * sum);
-    CHECK(shapes::Measure(box, xfA, box, xfB).distance < bmr::ContactMargin(sum));
-}
-
 TEST_CASE("every threshold derives from Box2D's constants") {
     // Radii below a slop count as one.
     CHECK(bmr::ContactMargin(0.0) == bmr::ContactMargin(double{b2_linearSlop}));
