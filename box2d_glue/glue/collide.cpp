@@ -66,13 +66,6 @@ struct Placed {
         return bmr_transform(&pose, Vertex(vertices[best]));
     }
 
-    /// Somewhere in the middle of a small one, in the world.
-    bmr_vec2 Middle() const {
-        const bmr_vec32 *const vertices = Vectors32(shape->m_vertices);
-        return bmr_transform(
-            &pose, bmr_scale(0.5, bmr_add(Vertex(vertices[0]), Vertex(vertices[shape->m_count / 2]))));
-    }
-
 private:
     static bmr_vec2 Vertex(const bmr_vec32 &v) {
         return {static_cast<double>(v.x), static_cast<double>(v.y)};
@@ -167,49 +160,6 @@ bool BeginProof(PairTable *table, uint32_t pair, double *soon) {
         return true;
     table->SetDue(pair);
     return false;
-}
-
-/// How deep the vertex of one that reaches farthest towards the other's middle lies in that; both small. Less
-/// than 0 where it is outside.
-double DepthOf(const Placed &owner, const Placed &other) {
-    const auto vector = [](const b2Vec2 &v) {
-        return bmr_vec2{static_cast<double>(v.x), static_cast<double>(v.y)};
-    };
-    double none = 0.0;
-    const bmr_vec2 vertex = owner.Farthest(bmr_sub(other.Middle(), owner.Middle()), &none);
-    const bmr_vec2 p = bmr_unrotate(&other.pose, bmr_sub(vertex, other.pose.position));
-    double depth = static_cast<double>(b2_maxFloat);
-    for (int32 i = 0, count = other.shape->m_count; i < count; ++i) {
-        const bmr_vec2 start = vector(other.shape->m_vertices[i]),
-                       end = vector(other.shape->m_vertices[i + 1 < count ? i + 1 : 0]);
-        bmr_vec2 side = bmr_sub(end, start);
-        if (!Normalize(&side))
-            return -1.0;
-        depth = std::min(depth, bmr_cross(side, bmr_sub(p, start)));
-    }
-    return depth;
-}
-
-/// A sensor's contact was updated, and its two polygons overlap: gives its pair the budget that the depth of
-/// a vertex in the other polygon allows. There is no line to renew it.
-void ProveOverlap(PairTable *table, uint32_t pair) {
-    double soon;
-    if (!BeginProof(table, pair, &soon))
-        return;
-    const Placed a(table->motions[table->At(pair).a]), b(table->motions[table->At(pair).b]);
-    const double depth = a.big != nullptr || b.big != nullptr ? -1.0 : std::max(DepthOf(a, b), DepthOf(b, a));
-    const FixtureMotions &motions = table->motions;
-    const Pair &at = table->At(pair);
-    const double margin =
-        motions.RoundingMargin(at.a, at.b) + static_cast<double>(2.0f * kUnit * kErrorPerReach) *
-                                                 (ReachOf(motions[at.a]) + ReachOf(motions[at.b]));
-    // Of deep overlaps b2Distance says up to its rounding, which the skins must cover.
-    const double skins =
-        static_cast<double>(motions[at.a].radius) + static_cast<double>(motions[at.b].radius);
-    if (depth > margin + soon && skins >= margin)
-        table->Prove(pair, {0.0, 0.0}, depth, margin, false);
-    else
-        table->SetDue(pair);
 }
 
 /// A contact was updated, and its two polygons do not touch: gives its pair the budget that their distance
@@ -483,13 +433,9 @@ void CollidePass::Prove(uint32_t i, b2Contact *contact) {
     m_table->Refresh(i);
     m_table->SetTouching(i, contact->IsTouching());
     SolidContact *ours = SolidContact::AsOurs(contact);
-    const bool canProve = ours != nullptr && ours->IsOfPolygons() &&
-                          contact->GetManifold()->pointCount == 0 &&
-                          !SolidContact::WantsFiltering(*contact) && contact->IsEnabled();
-    if (canProve && !contact->IsTouching())
+    if (ours != nullptr && ours->IsOfPolygons() && !contact->IsTouching() && contact->IsEnabled() &&
+        contact->GetManifold()->pointCount == 0 && !SolidContact::WantsFiltering(*contact))
         ProveApart(m_table, i, ours);
-    else if (canProve && (contact->GetFixtureA()->IsSensor() || contact->GetFixtureB()->IsSensor()))
-        ProveOverlap(m_table, i);
     else
         m_table->SetDue(i);
 }

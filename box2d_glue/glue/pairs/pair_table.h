@@ -328,8 +328,7 @@ public:
     void AwakenPassed(const b2Body *body);
     /// Reads all that a proof of the two needs; false if they are to have none. Call Prove or SetDue next.
     bool BeginProof(uint32_t i);
-    /// The two are apart: <d, b - a> >= gap for all their points. A deadline without a line is that of d = 0:
-    /// it lasts until the two have moved by `gap` - `threshold`.
+    /// The two are apart: <d, b - a> >= gap for all their points.
     void Prove(uint32_t i, bmr_vec2 d, double gap, double threshold, bool forImpactsToo);
     /// Renews the deadline by the pair's own line; false where that proves nothing.
     bool Renew(uint32_t i, double threshold);

@@ -79,61 +79,15 @@ bool IsPlainPolygon(const b2Shape &shape, const b2DistanceProxy &proxy) {
            proxy.m_vertices == static_cast<const b2PolygonShape &>(shape).m_vertices;
 }
 
-/// Are the two certain to overlap for b2Distance if they do so by `depth`? Then it finds no more than its
-/// rounding, and their skins must cover that.
-bool IsDeep(const Question &q, float depth, float rounding) {
-    return depth > rounding && q.Radius() >= rounding;
-}
-
-/// The same of a point of the one in the world, inside the other. `reach`: the largest coordinate of the
-/// one's points, in its own frame.
-bool IsDeepInside(const Question &q, const b2Vec2 &point, float reach, const bmr_polygon32 &polygon,
-                  const b2Transform &xf) {
-    const float depth = bmr_posed32_depth(&polygon, Transform32(xf), *Vectors32(&point), &reach);
-    return IsDeep(q, depth, Rounding(q, reach));
-}
-
-/// Is a point of the few that a circle or an edge has deep inside a polygon?
-bool HoldsAnEnd(const Question &q, const b2Shape &shape, const b2DistanceProxy &holder, const b2Transform &xf,
-                const b2DistanceProxy &few, const b2Transform &at) {
-    if (few.m_count > 2 || !IsPlainPolygon(shape, holder))
-        return false;
-    const bmr_polygon32 polygon = Polygon32(static_cast<const b2PolygonShape &>(shape));
-    const b2Vec2 *const first = few.m_vertices, *const last = first + (few.m_count - 1);
-    const float reach = std::max(LargestCoordinate(*first), LargestCoordinate(*last));
-    return IsDeepInside(q, b2Mul(at, *first), reach, polygon, xf) ||
-           IsDeepInside(q, b2Mul(at, *last), reach, polygon, xf);
-}
-
-/// Two of their points are nearer than the skins. Does b2Distance find as much? Its search may take all of
-/// its 20 iterations, and what it ends with is no closest point then. Of two pairs of points it has asked for
-/// both after two. Otherwise its end must not matter: where an end is deep inside, or where all points are so
-/// near that the sum of any two of their differences is less than the skins.
-bool IsFoundNear(const Question &q, const b2Shape &shapeA, const b2Shape &shapeB, float farthest,
-                 float rounding) {
-    constexpr float kTwo = 2.0f * (1.0f + kUnit * kErrorPerDistance);
-    return q.a.m_count * q.b.m_count <= 2 || kTwo * farthest + rounding <= q.Radius() ||
-           HoldsAnEnd(q, shapeA, q.a, q.xfA, q.b, q.xfB) || HoldsAnEnd(q, shapeB, q.b, q.xfB, q.a, q.xfA);
-}
-
-Overlap Search(const Question &q, const b2Shape &shapeA, const b2Shape &shapeB) {
+/// Of any two shapes: are they apart?
+Overlap Search(const Question &q) {
     bmr_vec32 direction = {0.0f, 0.0f};
     const bmr_swept32 a = Still(q.a, q.xfA), b = Still(q.b, q.xfB);
-    const float rounding = Rounding(q, std::max(a.radius, b.radius));
-    if (!(rounding <= std::numeric_limits<float>::max()))
-        return Overlap::kUnknown;
-    switch (bmr_swept32_compare(&a, &b, ApartBeyond(q, rounding),
-                                q.Radius() * (1.0f - kUnit * kErrorPerDistance) - rounding, &direction)) {
-    case BMR_SWEPT32_APART:
-        return Overlap::kApart;
-    case BMR_SWEPT32_NEAR:
-        if (IsFoundNear(q, shapeA, shapeB, b2Distance(q.xfA.p, q.xfB.p) + a.radius + b.radius, rounding))
-            return Overlap::kOverlapping;
-        break;
-    case BMR_SWEPT32_UNKNOWN:
-        break;
-    }
-    return Overlap::kUnknown;
+    const float rounding = Rounding(q, std::max(a.radius, b.radius)), apart = ApartBeyond(q, rounding);
+    return rounding <= std::numeric_limits<float>::max() &&
+                   bmr_swept32_compare(&a, &b, apart, apart, &direction) == BMR_SWEPT32_APART
+               ? Overlap::kApart
+               : Overlap::kUnknown;
 }
 
 /// Two polygons, asked by their sides. b2Distance reads only vertices, and so do these proofs: a game that
@@ -154,11 +108,14 @@ public:
         return side.gap > ApartBeyond(m_q, side.rounding) ? Overlap::kApart : Overlap::kUnknown;
     }
 
-    /// Is this vertex deep inside the other polygon?
+    /// Is this vertex so deep inside the other polygon that b2Distance finds no more than its rounding? Their
+    /// skins must cover that.
     bool Holds(bool ofB, int32 number) const {
         const b2Vec2 p = b2Mul(Pose(ofB), VertexOf(Owner(ofB), number));
-        const float reach = bmr_points32_reach(Owner(ofB).vertices, Owner(ofB).count);
-        return IsDeepInside(m_q, p, reach, Owner(!ofB), Pose(!ofB));
+        float reach = bmr_points32_reach(Owner(ofB).vertices, Owner(ofB).count);
+        const float depth = bmr_posed32_depth(&Owner(!ofB), Transform32(Pose(!ofB)), *Vectors32(&p), &reach);
+        const float rounding = Rounding(m_q, reach);
+        return depth > rounding && m_q.Radius() >= rounding;
     }
 
     /// Does the one hold the vertex of the other that is nearest to its middle, most likely?
@@ -179,25 +136,20 @@ public:
         return false;
     }
 
-    /// All sides of both: one that keeps them apart, or none that the two do not overlap along. (Which side
-    /// to ask is what normals are read for; that there is no other only where they are those of the sides.)
+    /// All sides of both: one that keeps them apart. (Which side to ask is what normals are read for.)
     Overlap AskSides(EdgeMemory *memory) const {
-        bool deep = true;
         for (const bool ofB : {false, true}) {
             const bmr_transform32 frame =
                 bmr_exact32_relative(Transform32(Pose(!ofB)), Transform32(Pose(ofB)));
             int32_t side = 0;
-            const float separation = bmr_exact32_max_separation(&Owner(ofB), &Owner(!ofB), &frame, &side);
-            // Asked again along it, for what minima do not see: numbers that are none.
+            bmr_exact32_max_separation(&Owner(ofB), &Owner(!ofB), &frame, &side);
             const Side asked = AskSide(ofB, side);
             if (asked.gap > ApartBeyond(m_q, asked.rounding)) {
                 Keep(memory, side, ofB, false);
                 return Overlap::kApart;
             }
-            deep =
-                deep && IsDeep(m_q, -separation, asked.rounding) && IsDeep(m_q, -asked.gap, asked.rounding);
         }
-        return deep && HasOwnNormals(m_a) && HasOwnNormals(m_b) ? Overlap::kOverlapping : Overlap::kUnknown;
+        return Overlap::kUnknown;
     }
 
 private:
@@ -226,21 +178,6 @@ private:
     }
     static b2Vec2 NormalOf(const bmr_polygon32 &polygon, int32 i) {
         return b2Vec2(polygon.normals[i].x, polygon.normals[i].y);
-    }
-    /// Are its normals those of its sides, outwards, and do they turn to the left, once around?
-    static bool HasOwnNormals(const bmr_polygon32 &polygon) {
-        constexpr float kTilt = 8.0f * kUnit;
-        int32 turns = 0;
-        for (int32 i = 0; i < polygon.count; ++i) {
-            const int32 next = i + 1 < polygon.count ? i + 1 : 0;
-            const b2Vec2 n = NormalOf(polygon, i), m = NormalOf(polygon, next);
-            const b2Vec2 side = VertexOf(polygon, next) - VertexOf(polygon, i);
-            if (!IsDirection({n.x, n.y}) || !(b2Cross(n, side) > 0.0f) || !(b2Cross(n, m) > 0.0f) ||
-                !(std::fabs(b2Dot(n, side)) <= kTilt * (std::fabs(side.x) + std::fabs(side.y))))
-                return false;
-            turns += n.y < 0.0f && m.y >= 0.0f;
-        }
-        return turns == 1;
     }
     static b2Vec2 Middle(const bmr_polygon32 &polygon) {
         return 0.5f * (VertexOf(polygon, 0) + VertexOf(polygon, polygon.count / 2));
@@ -274,7 +211,7 @@ Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shape
         if (answer == Overlap::kUnknown)
             answer = polygons.OneHoldsTheOther(known) ? Overlap::kOverlapping : polygons.AskSides(known);
     }
-    return answer != Overlap::kUnknown || touched ? answer : Search(q, shapeA, shapeB);
+    return answer != Overlap::kUnknown || touched ? answer : Search(q);
 }
 
 } // namespace bmr
