@@ -61,7 +61,7 @@ bool IsSolidAndTouches(const b2Contact &contact) {
 /// the pass's first call.
 void ImpactPass::BeforeGame() {
     m_wasGameCalled = true;
-    m_candidates.BeforeGame();
+    m_candidates.Forget();
     if (m_table == nullptr)
         return;
     if (!m_flagsAreRead)
@@ -96,7 +96,6 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
             m_table->Flag(contact, 0);
         PutBack(a, sweepA);
         PutBack(b, sweepB);
-        AfterGame();
         return false;
     }
     Wake(a);
@@ -114,7 +113,6 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     m_solver->SolveToi();
     m_solver->Finish(nullptr);
     EndIsland(island);
-    AfterGame();
     FindNewContacts();
     return true;
 }
@@ -131,13 +129,6 @@ void ImpactPass::ForgetTime(b2Contact *contact) {
         m_table->impacts.Forget(i, contact);
     else
         ContactAccess::Flags(contact) &= ~ContactAccess::kTimeIsKnown;
-}
-
-/// Ahead of the search for new contacts.
-void ImpactPass::AfterGame() {
-    CheckTable();
-    if (m_wasGameCalled)
-        m_candidates.AfterGame();
 }
 
 void ImpactPass::Add(b2Body *body, Island *island) {
@@ -199,10 +190,8 @@ void ImpactPass::EndIsland(const Island &island) {
 }
 
 void ImpactPass::FindNewContacts() {
-    if (IsOfGame(m_manager->m_contactFilter)) {
+    if (IsOfGame(m_manager->m_contactFilter))
         BeforeGame();
-        m_candidates.Forget();
-    }
     bmr::FindNewContacts(m_manager);
     CheckTable();
 }

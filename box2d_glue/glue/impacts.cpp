@@ -62,52 +62,6 @@ bmr_vec32 GuessDirection(const b2Contact &contact) {
 
 } // namespace
 
-// The contacts that may have an impact.
-
-/// (New contacts come at the head of the list.)
-bool ToiCandidates::AreKnown() const {
-    return m_known && m_world->GetContactManager().m_contactList == m_newest;
-}
-
-void ToiCandidates::Begin() {
-    const b2ContactManager &manager = m_world->GetContactManager();
-    m_known = true;
-    m_room->Reserve(static_cast<uint32_t>(manager.m_contactCount));
-    m_hasDigest = false;
-    m_count = 0;
-    m_contactCount = manager.m_contactCount;
-    m_newest = manager.m_contactList;
-}
-
-void ToiCandidates::BeforeGame() {
-    if (m_known && !m_hasDigest)
-        m_digest = Digest();
-    m_hasDigest = true;
-}
-
-void ToiCandidates::AfterGame() {
-    const b2ContactManager &manager = m_world->GetContactManager();
-    m_known =
-        m_known && m_world->IsLocked() && manager.m_contactCount == m_contactCount && Digest() == m_digest;
-}
-
-/// Who is a bullet, and which fixtures are sensors. Two different answers have the same digest with a
-/// probability of 2^-64.
-uint64_t ToiCandidates::Digest() const {
-    uint64_t digest = 1;
-    const auto add = [&digest](bool is) {
-        digest = (digest ^ (is ? 1 : 2)) * 0x9e3779b97f4a7c15u;
-        digest ^= digest >> 32;
-    };
-    for (const b2Body *body = m_world->GetBodyList(); body != nullptr; body = body->GetNext()) {
-        add(body->IsBullet());
-        for (const b2Fixture *fixture = body->GetFixtureList(); fixture != nullptr;
-             fixture = fixture->GetNext())
-            add(fixture->IsSensor());
-    }
-    return digest;
-}
-
 // The pass.
 
 ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table)
@@ -122,12 +76,12 @@ ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
 
 void ImpactPass::Run() {
     bool &stepComplete = m_world->*Named(StepComplete());
+    BeginScan();
     if (stepComplete)
         BeginStep();
     for (;;) {
         float time = 1.0f;
         b2Contact *const contact = m_table != nullptr ? Earliest(&time) : EarliestInList(&time);
-        m_scan = nullptr;
         if (contact == nullptr || 1.0f - 10.0f * b2_epsilon < time) {
             stepComplete = true;
             break;
@@ -137,6 +91,7 @@ void ImpactPass::Run() {
         const bool met = Meet(contact, time);
         if (m_table != nullptr)
             ReadWhatGameDid();
+        BeginScan(); // bodies have moved
         if (met && m_world->GetSubStepping()) {
             stepComplete = false; // the next steps go on with this one's impacts, by Box2D's list
             if (m_table != nullptr)
@@ -146,11 +101,14 @@ void ImpactPass::Run() {
     }
 }
 
+void ImpactPass::BeginScan() {
+    m_scan = RoundsToNearest() ? ImpactScan::Begin() : nullptr;
+}
+
 // The beginning of a step.
 
 void ImpactPass::BeginStep() {
     BeginBodies();
-    m_scan = RoundsToNearest() ? ImpactScan::Begin() : nullptr;
     if (m_table != nullptr) {
         SearchByTable();
         return;
@@ -337,39 +295,27 @@ float ImpactPass::FindTime(b2Contact *contact) {
 }
 
 float ImpactPass::TimeOf(b2Contact *contact, float from) {
-    b2TOIInput input;
-    if (RoundsToNearest() && IsProvedApart(*contact, &input))
+    if (m_scan != nullptr && IsProvedApart(*contact))
         return 1.0f;
-    FillInput(*contact, &input);
+    const b2Fixture *a = contact->GetFixtureA(), *b = contact->GetFixtureB();
+    b2TOIInput input;
+    SetProxy(&input.proxyA, *a->GetShape(), contact->GetChildIndexA());
+    SetProxy(&input.proxyB, *b->GetShape(), contact->GetChildIndexB());
+    input.sweepA = SweepOf(*a->GetBody());
+    input.sweepB = SweepOf(*b->GetBody());
+    input.tMax = 1.0f;
     b2TOIOutput output;
     b2TimeOfImpact(&output, &input); // its hook answers for big polygons
     return output.state == b2TOIOutput::e_touching ? b2Min(from + (1.0f - from) * output.t, 1.0f) : 1.0f;
 }
 
-void ImpactPass::FillInput(const b2Contact &contact, b2TOIInput *input) {
-    const b2Fixture *a = contact.GetFixtureA(), *b = contact.GetFixtureB();
-    SetProxy(&input->proxyA, *a->GetShape(), contact.GetChildIndexA());
-    SetProxy(&input->proxyB, *b->GetShape(), contact.GetChildIndexB());
-    input->sweepA = SweepOf(*a->GetBody());
-    input->sweepB = SweepOf(*b->GetBody());
-    input->tMax = 1.0f;
-}
-
 /// Over all that is left of the step.
-bool ImpactPass::IsProvedApart(const b2Contact &contact, b2TOIInput *input) {
-    bool apart;
-    if (m_scan != nullptr) {
-        const b2Body *a = contact.GetFixtureA()->GetBody(), *b = contact.GetFixtureB()->GetBody();
-        apart = m_scan->NeverTouch(
-            {contact.GetFixtureA(), contact.GetChildIndexA(), SweepOf(*a), a->GetTransform().q},
-            {contact.GetFixtureB(), contact.GetChildIndexB(), SweepOf(*b), b->GetTransform().q},
-            GuessDirection(contact), contact.GetManifold()->pointCount > 0);
-    } else if (!AnyBigPolygon()) {
-        FillInput(contact, input);
-        apart = NeverTouch(*input);
-    } else {
-        apart = false;
-    }
+bool ImpactPass::IsProvedApart(const b2Contact &contact) {
+    const b2Body *a = contact.GetFixtureA()->GetBody(), *b = contact.GetFixtureB()->GetBody();
+    const bool apart = m_scan->NeverTouch(
+        {contact.GetFixtureA(), contact.GetChildIndexA(), SweepOf(*a), a->GetTransform().q},
+        {contact.GetFixtureB(), contact.GetChildIndexB(), SweepOf(*b), b->GetTransform().q},
+        GuessDirection(contact), contact.GetManifold()->pointCount > 0);
     if (apart)
         Count(&Counts::toiAnswered);
     return apart;

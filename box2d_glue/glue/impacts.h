@@ -11,8 +11,6 @@
 #include "base/columns.h"
 #include "glue/pairs/pair_table.h"
 
-struct b2TOIInput;
-
 namespace bmr {
 
 // Box2D's functions of these names, with the same bits.
@@ -35,35 +33,29 @@ public:
     /// `room` is where they are written down.
     ToiCandidates(const b2World *world, Column<b2Contact *> *room) : m_world(world), m_room(room) {}
 
-    /// False where the list is to be searched.
-    bool AreKnown() const;
+    /// False where the list is to be searched. (New contacts come at the head of the list.)
+    bool AreKnown() const { return m_known && m_world->GetContactManager().m_contactList == m_newest; }
     uint32_t Count() const { return m_count; }
     b2Contact *operator[](uint32_t i) const { return (*m_room)[i]; }
 
     /// A search of the list begins.
-    void Begin();
-    void Add(b2Contact *contact) {
-        if (m_known)
-            (*m_room)[m_count++] = contact;
+    void Begin() {
+        const b2ContactManager &manager = m_world->GetContactManager();
+        m_known = true;
+        m_room->Reserve(static_cast<uint32_t>(manager.m_contactCount));
+        m_count = 0;
+        m_newest = manager.m_contactList;
     }
-
-    // The world is locked while listeners are called in an impact: they can make bullets and sensors. A step
-    // inside this one unlocks it.
-    void BeforeGame();
-    /// Ahead of the search for new contacts.
-    void AfterGame();
+    void Add(b2Contact *contact) { (*m_room)[m_count++] = contact; }
+    /// Code of the game runs: it can make bullets and sensors.
     void Forget() { m_known = false; }
 
 private:
-    uint64_t Digest() const;
-
     const b2World *m_world;
     Column<b2Contact *> *m_room;
-    bool m_known = false, m_hasDigest = false;
+    bool m_known = false;
     uint32_t m_count = 0;
-    int32_t m_contactCount = 0;
     const b2Contact *m_newest = nullptr;
-    uint64_t m_digest = 0;
 };
 
 /// SolveImpacts (passes.h).
@@ -74,6 +66,7 @@ public:
     void Run();
 
 private:
+    void BeginScan();
     void BeginStep();
     void BeginBodies();
 
@@ -90,8 +83,7 @@ private:
     bool IsEarlier(b2Contact *contact, float *time);
     float FindTime(b2Contact *contact);
     float TimeOf(b2Contact *contact, float from);
-    static void FillInput(const b2Contact &contact, b2TOIInput *input);
-    bool IsProvedApart(const b2Contact &contact, b2TOIInput *input);
+    bool IsProvedApart(const b2Contact &contact);
 
     // An impact (impact_island.cpp).
     struct Island {
@@ -107,7 +99,6 @@ private:
     void FindNewContacts();
     void Update(b2Contact *contact);
     void BeforeGame();
-    void AfterGame();
     void CheckTable();
     void ForgetTime(b2Contact *contact);
     void Wake(b2Body *body);
@@ -121,7 +112,7 @@ private:
     b2ContactListener *m_listener; ///< its PostSolve is called, unless it is nullptr
     PairTable *m_table;            ///< nullptr: Box2D's list is searched
     ToiCandidates m_candidates;
-    ImpactScan *m_scan = nullptr; ///< while nothing has moved
+    ImpactScan *m_scan = nullptr; ///< of the search; nullptr: Box2D answers
     bool m_gameRan;               ///< ahead of the first search, and it may have changed more than motion
     bool m_wasGameCalled = false; ///< since the impact began
     bool m_flagsAreRead;          ///< of all motions, ahead of the pass's first call

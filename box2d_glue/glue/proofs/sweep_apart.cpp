@@ -10,7 +10,6 @@
 
 #include <box2d/b2_distance.h>
 #include <box2d/b2_fixture.h>
-#include <box2d/b2_time_of_impact.h>
 
 #include "base/memory.h"
 #include "glue/proofs/convex_distance.h"
@@ -83,14 +82,6 @@ bool NeverTouchAlong(const SweptShape &a, const SweptShape &b, bmr_vec32 directi
            bmr_swept32_apart_along(&a.points, &b.points, distance, direction);
 }
 
-bool NeverTouch(const b2TOIInput &input) {
-    bmr_vec32 direction = {0.0f, 0.0f};
-    // Beyond the way from 0 to 1 that is proved Box2D's sweeps go on, at either end.
-    return input.tMax >= 0.0f && input.tMax <= 1.0f &&
-           NeverTouch(Sweep(input.proxyA, input.sweepA, b2Rot(input.sweepA.a)),
-                      Sweep(input.proxyB, input.sweepB, b2Rot(input.sweepB.a)), &direction);
-}
-
 ImpactScan *ImpactScan::Begin() {
     ImpactScan *scan = PerThread<ImpactScan>();
     if (scan != nullptr)
@@ -133,7 +124,8 @@ inline const SweptShape &ImpactScan::Shape(Places &places, const Side &side) con
                             static_cast<uint64_t>(side.child)) *
                            0x9e3779b97f4a7c15u;
     Place &place = places[mixed >> (64u - kPlaceBits)];
-    if (place.fixture == side.fixture && place.child == side.child && place.scan == m_scan)
+    if (place.fixture == side.fixture && place.child == side.child && place.scan == m_scan &&
+        place.from == side.sweep.alpha0)
         return place.shape;
     b2DistanceProxy proxy;
     SetProxy(&proxy, *side.fixture->GetShape(), side.child);
@@ -144,6 +136,7 @@ inline const SweptShape &ImpactScan::Shape(Places &places, const Side &side) con
     place.fixture = side.fixture;
     place.child = side.child;
     place.scan = m_scan;
+    place.from = side.sweep.alpha0;
     return place.shape;
 }
 

@@ -10,7 +10,6 @@
 
 class b2Fixture;
 struct b2DistanceProxy;
-struct b2TOIInput;
 
 namespace bmr {
 
@@ -36,11 +35,8 @@ bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction);
 /// Does this very direction, of unit length, prove NeverTouch? No other one is looked for.
 bool NeverTouchAlong(const SweptShape &a, const SweptShape &b, bmr_vec32 direction);
 
-/// NeverTouch for an input of b2TimeOfImpact. False where its tMax is not from 0 to 1.
-bool NeverTouch(const b2TOIInput &input);
-
-/// The first question of b2World::SolveTOI in a step, answered for all pairs at once: which of them can
-/// touch? Nothing moves while the scan runs. So each shape is placed once, however many pairs it is in; and
+/// One search of b2World::SolveTOI: which pairs can touch in what is left of the step? No body moves while it
+/// runs. So each shape is placed once for a time that its sweep begins at, however many pairs it is in; and
 /// one that lies where it lay in an earlier scan is not placed again.
 class ImpactScan {
 public:
@@ -77,6 +73,7 @@ private:
         const b2Fixture *fixture;
         int32 child;
         uint64_t scan; ///< in which scan it was last asked for
+        float from;    ///< b2Sweep::alpha0 then
         SweptShape shape;
         Resting resting;
     };
