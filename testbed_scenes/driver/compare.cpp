@@ -103,22 +103,21 @@ std::optional<Difference> FirstDifference(const Hashes &stock, const Hashes &oth
 /// Stock and all variants side by side.
 void CompareHashes(const Workers &workers, const CompareOptions &options, SceneResult &result,
                    Progress &progress) {
-    result.variants.push_back({Side::Plugin, Verdict::Failed});
+    result.variants[Side::Plugin] = Verdict::Failed;
     if (workers.CanPreload() && !result.scene.NeedsPlugin())
-        result.variants.push_back({Side::Preloaded, Verdict::Failed});
-    std::vector<std::future<Hashes>> others;
-    for (const Variant &variant : result.variants)
-        others.push_back(std::async(std::launch::async, [&, side = variant.side] {
+        result.variants[Side::Preloaded] = Verdict::Failed;
+    std::map<Side, std::future<Hashes>> others;
+    for (const auto &variant : result.variants)
+        others[variant.first] = std::async(std::launch::async, [&, side = variant.first] {
             return HashesOf(workers, side, options, result);
-        }));
+        });
     const Hashes stock = HashesOf(workers, Side::Stock, options, result, [&](size_t steps) {
         progress.Show(result.scene.name + ": comparing",
                       static_cast<double>(steps) / static_cast<double>(result.steps));
     });
-    for (size_t i = 0; i < others.size(); ++i) {
-        Variant &variant = result.variants[i];
-        const std::optional<Difference> difference = FirstDifference(stock, others[i].get(), variant.side);
-        variant.verdict = difference ? Verdict::Different : Verdict::Identical;
+    for (auto &[side, verdict] : result.variants) {
+        const std::optional<Difference> difference = FirstDifference(stock, others[side].get(), side);
+        verdict = difference ? Verdict::Different : Verdict::Identical;
         if (difference && (!result.difference || difference->step < result.difference->step))
             result.difference = difference;
     }
@@ -155,15 +154,8 @@ void Measure(const Workers &workers, const CompareOptions &options, SceneResult 
 } // namespace
 
 const char *NameOf(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::Identical:
-        return "identical";
-    case Verdict::Different:
-        return "DIFFERENT";
-    case Verdict::Failed:
-        break;
-    }
-    return "failed";
+    static constexpr const char *names[] = {"identical", "DIFFERENT", "failed"};
+    return names[static_cast<size_t>(verdict)];
 }
 
 int RunsPerScene(const CompareOptions &options) {
@@ -172,21 +164,10 @@ int RunsPerScene(const CompareOptions &options) {
     return kHashing + counting + (options.time ? 2 * options.repeat : 0);
 }
 
-const Variant *FindVariant(const SceneResult &result, Side side) {
-    for (const Variant &variant : result.variants)
-        if (variant.side == side)
-            return &variant;
-    return nullptr;
-}
-
 SceneResult CompareScene(const Workers &workers, const SceneInfo &scene, const CompareOptions &options,
                          Progress &progress) {
     SceneResult result;
     result.scene = scene;
-    if (options.worker.size)
-        result.scene.size = *options.worker.size;
-    if (options.worker.seed)
-        result.scene.seed = *options.worker.seed;
     result.steps = options.steps.value_or(scene.steps);
     try {
         CompareHashes(workers, options, result, progress);
@@ -204,14 +185,12 @@ SceneResult CompareScene(const Workers &workers, const SceneInfo &scene, const C
 std::string Explain(const SceneResult &result) {
     if (result.verdict == Verdict::Failed)
         return result.scene.name + ": a worker failed\n  " + result.failure;
-    if (!result.difference)
-        return result.scene.name + ": identical over " + std::to_string(result.steps) + " steps";
     const Difference &difference = *result.difference;
     std::string text = result.scene.name + ": first difference at step " + std::to_string(difference.step) +
                        ", in the hash of " + difference.hashes + " (" + NameOf(difference.side);
-    for (const Variant &variant : result.variants)
-        if (variant.verdict == Verdict::Different && variant.side != difference.side)
-            text += std::string(", ") + NameOf(variant.side);
+    for (const auto &[side, verdict] : result.variants)
+        if (verdict == Verdict::Different && side != difference.side)
+            text += std::string(", ") + NameOf(side);
     text += ")";
     if (difference.field.empty())
         return text +

@@ -3,6 +3,7 @@
 #define BOOMERANG_TESTBED_COMPARE_H
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -44,19 +45,13 @@ enum class Verdict { Identical, Different, Failed };
 
 const char *NameOf(Verdict verdict);
 
-/// One way to have the plugin at work, held against stock.
-struct Variant {
-    Side side;
-    Verdict verdict;
-};
-
 // A json moves without throwing, though clang-tidy takes its assertions for throws.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 struct SceneResult {
     SceneInfo scene;
     int64_t steps = 0;
     Verdict verdict = Verdict::Failed;      ///< Identical where all variants are
-    std::vector<Variant> variants;          ///< in the order in which they are shown
+    std::map<Side, Verdict> variants;       ///< ways to have the plugin at work, held against stock
     std::string failure;                    ///< why no verdict was reached, with the worker's last words
     std::optional<Difference> difference;   ///< set where a variant is Different: the earliest
     nlohmann::json stockCount, pluginCount; ///< summaries of the counting runs; null where there were none
@@ -68,15 +63,12 @@ struct SceneResult {
 /// Worker runs that comparing one scene takes: the unit of the progress bar.
 int RunsPerScene(const CompareOptions &options);
 
-/// The variant of that side, or nullptr where it was not run.
-const Variant *FindVariant(const SceneResult &result, Side side);
-
 /// Compares one scene: hashes step by step, then (if they agree) counts, then times. What a worker does wrong
 /// ends up in the result, so that one bad scene does not take the others along.
 SceneResult CompareScene(const Workers &workers, const SceneInfo &scene, const CompareOptions &options,
                          Progress &progress);
 
-/// One line or a few, without a newline at the end: what differs, or what failed.
+/// One line or a few, without a newline at the end: what differs, or what failed, where not all is identical.
 std::string Explain(const SceneResult &result);
 
 /// What stock asked in a step and how many events answered that with the plugin, of all scenes that were

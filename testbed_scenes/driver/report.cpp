@@ -330,8 +330,9 @@ void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, c
         std::vector<Table::Cell> row = {{result.scene.name, Style::Plain},
                                         {std::to_string(result.steps), Style::Plain}};
         for (const Side side : sides) {
-            const Variant *variant = FindVariant(result, side);
-            row.push_back(variant != nullptr ? cell(variant->verdict) : Table::Cell{"-", Style::Faint});
+            const auto variant = result.variants.find(side);
+            row.push_back(variant != result.variants.end() ? cell(variant->second)
+                                                           : Table::Cell{"-", Style::Faint});
         }
         row.push_back(cell(result.verdict));
         AddFigures(row, result, columns);

@@ -21,13 +21,8 @@ namespace testbed {
 namespace {
 
 struct WorldCommand {
-    std::string scene = "gas";
-    // What is not told is the scene's own.
-    std::optional<size_t> bodies;
-    std::optional<std::string> shape, vertices, boundary, answer, zeno, structure;
-    std::optional<double> sizes, density, speed, seconds, zenoSpeed;
-    uint64_t seed = 1;
-    bool allPairs = false, check = false, audit = false, quiet = false, list = false;
+    WorldChoice choice = WorldScenes().front().choice;
+    bool check = false, audit = false, quiet = false, list = false;
     std::string growth;      ///< N1,N2,..
     PictureRequest pictures; ///< without an output: none
     double rate = 30.0;      ///< steps for each unit of time
@@ -46,14 +41,18 @@ constexpr char kNotes[] =
     "is 1 / --rate of a unit of time).\n\nExample:\n"
     "  boomerang-testbed world gas --picture gas.png --frames 0:600:10 --all\n\n";
 
-/// A number of at least `least` (or above it) and at most `most`; CLI11's own range lets NaN pass.
-double Checked(const char *option, double value, double least, double most, bool above = false) {
-    if (value >= least && value <= most && !(above && value == least))
-        return value;
-    char text[160];
-    std::snprintf(text, sizeof text, "%s: a number %s %g to %g is wanted, not %g", option,
-                  above ? "above" : "from", least, most, value);
-    throw UsageError(text);
+/// Takes the numbers from `least` (or above it) to `most`; CLI11's own range lets NaN pass.
+CLI::Validator Within(double least, double most, bool above = false) {
+    return CLI::Validator(
+        [=](const std::string &text) {
+            char *end = nullptr;
+            const double value = std::strtod(text.c_str(), &end);
+            if (*end == '\0' && value >= least && value <= most && !(above && value == least))
+                return std::string();
+            return std::string("a number ") + (above ? "above " : "from ") + General(least) + " to " +
+                   General(most) + " is wanted, not " + text;
+        },
+        "");
 }
 
 /// "12" or "8:64".
@@ -82,7 +81,9 @@ void ReadAnswer(const std::string &text, WorldChoice *choice) {
         if (end == text.c_str() || *end != '\0')
             throw UsageError("--answer: elastic, pass or a restitution is wanted, not \"" + text + "\"" +
                              NearestClause(text, {"elastic", "pass"}));
-        choice->response = {BMR_RESPONSE_IMPULSE, Checked("--answer", restitution, 0.0, 1.0)};
+        if (!(restitution >= 0.0 && restitution <= 1.0))
+            throw UsageError("--answer: a restitution is a number from 0 to 1, not " + text);
+        choice->response = {BMR_RESPONSE_IMPULSE, restitution};
     }
 }
 
@@ -100,40 +101,11 @@ void ReadStructure(const std::string &name, WorldChoice *choice) {
     choice->structure = name;
 }
 
-WorldChoice ChoiceFor(const WorldCommand &command) {
+WorldChoice SceneNamed(const std::string &name) {
     const std::vector<WorldScene> &scenes = WorldScenes();
-    WorldChoice choice =
-        scenes[IndexOf("world", command.scene,
-                       NamesOf(scenes.size(), [&](size_t i) { return scenes[i].choice.scene; }))]
-            .choice;
-    constexpr double kMost = 1e6;
-    // A contact's margin is 1e-6 of the smallest radius: of larger ones it would be too little for proofs.
-    constexpr double kMostSizes = 1e3;
-    choice.bodies = command.bodies.value_or(choice.bodies);
-    choice.shape = command.shape.value_or(choice.shape);
-    if (command.vertices)
-        ReadVertices(*command.vertices, &choice);
-    choice.sizes = Checked("--sizes", command.sizes.value_or(choice.sizes), 1.0, kMostSizes);
-    choice.density = Checked("--density", command.density.value_or(choice.density), 0.0, 1.0, true);
-    choice.speed = Checked("--speed", command.speed.value_or(choice.speed), 0.0, kMost);
-    choice.seconds = Checked("--seconds", command.seconds.value_or(choice.seconds), 0.0, kMost, true);
-    if (command.boundary)
-        choice.boundary = *command.boundary == "open"    ? BMR_OPEN
-                          : *command.boundary == "walls" ? BMR_WALLED
-                                                         : BMR_PERIODIC;
-    if (command.answer)
-        ReadAnswer(*command.answer, &choice);
-    if (command.zeno)
-        choice.zeno = *command.zeno == "error" ? BMR_ZENO_ERROR : BMR_ZENO_ELASTIC;
-    choice.zenoSpeed =
-        Checked("--zeno-speed", command.zenoSpeed.value_or(choice.zenoSpeed), 0.0, kMost, true);
-    if (command.zenoSpeed && choice.zeno == BMR_ZENO_ERROR)
-        throw UsageError("--zeno-speed: there is none without --zeno elastic");
-    if (command.structure)
-        ReadStructure(*command.structure, &choice);
-    choice.seed = command.seed;
-    choice.allPairs = command.allPairs;
-    return choice;
+    return scenes[IndexOf("world", name,
+                          NamesOf(scenes.size(), [&](size_t i) { return scenes[i].choice.scene; }))]
+        .choice;
 }
 
 // --- what is printed ---
@@ -281,7 +253,7 @@ MeasureOptions OptionsFor(const WorldCommand &command) {
 
 /// The same density with each of these numbers of bodies, as a table: what grows, and what does not.
 std::vector<WorldFigures> MeasureGrowth(const WorldCommand &command) {
-    WorldChoice choice = ChoiceFor(command);
+    WorldChoice choice = command.choice;
     const std::vector<double> numbers =
         NumbersIn(command.growth, ',', 2.0, 1e7, "--growth", "number of bodies from 2 to 10000000", true);
     const double all = std::accumulate(numbers.begin(), numbers.end(), 0.0);
@@ -335,7 +307,7 @@ int Perform(const WorldCommand &command) {
     if (!command.growth.empty()) {
         runs = MeasureGrowth(command);
     } else {
-        const WorldSetup setup = MakeWorld(ChoiceFor(command));
+        const WorldSetup setup = MakeWorld(command.choice);
         runs.push_back(RunOne(command, setup));
         if (!command.quiet)
             Print(runs.front(), WantsColour(STDOUT_FILENO));
@@ -353,7 +325,7 @@ int Execute(const WorldCommand &command) {
         ListWorlds();
         return kExitOk;
     }
-    const WorldChoice choice = ChoiceFor(command);
+    const WorldChoice &choice = command.choice;
     if (!command.pictures.output.empty()) {
         if (!(command.rate > 0.0) || !(choice.seconds * command.rate < kMostSteps))
             throw UsageError("--rate: it must be above 0, and the run must have fewer than " +
@@ -376,37 +348,57 @@ void AddWorld(CLI::App &app, Program &program) {
     WorldCommand &command = *kept;
     CLI::App *world = app.add_subcommand(
         "world", "Run a kinetic world of many polygons, event by event: what happened, and what it cost");
-    world->add_option("scene", command.scene, "A world that --list shows")->capture_default_str();
-    world
-        ->add_option("--bodies", command.bodies, "How many (default: the scene's own, as of all that follow)")
+    // Options are taken in this order: what follows the scene changes it.
+    WorldChoice &choice = command.choice;
+    const auto read = [&](const char *name, const char *description, auto &&reader) {
+        return world->add_option_function<std::string>(
+            name, [&choice, reader](const std::string &text) { reader(text, &choice); }, description);
+    };
+    constexpr double kMost = 1e6;
+    read("scene", "A world that --list shows (default: gas)",
+         [](const std::string &name, WorldChoice *its) { *its = SceneNamed(name); });
+    world->add_option("--bodies", choice.bodies, "How many (default: the scene's own, as of all that follow)")
         ->check(Whole(2, 10000000));
     std::vector<std::string> shapes =
         NamesOf(BMR_NGON_COUNT, [](size_t i) { return bmr_ngon_name(static_cast<bmr_ngon>(i)); });
     shapes.insert(shapes.begin(), "mixed");
-    world->add_option("--shape", command.shape, "Outline of the polygons; mixed: all in turn")
+    world->add_option("--shape", choice.shape, "Outline of the polygons; mixed: all in turn")
         ->check(CLI::IsMember(shapes));
-    world->add_option("--vertices", command.vertices, "N, or FEWEST:MOST, from which each body draws");
-    world->add_option("--sizes", command.sizes,
-                      "Radius of the largest over that of the smallest, from 1 to 1000 (beyond, a contact's "
-                      "margin, 1e-6 of the smallest, is too little for proofs about the largest)");
-    world->add_option("--density", command.density, "The polygons' area over the box's");
-    world->add_option(
-        "--speed", command.speed,
-        "On average, of the largest; smaller ones have the same energy (bullet: a hundredth of its own)");
-    world->add_option("--seconds", command.seconds, "Units of time to simulate");
+    read("--vertices", "N, or FEWEST:MOST, from which each body draws", ReadVertices);
     world
-        ->add_option("--boundary", command.boundary,
-                     "walls, periodic (what leaves on one side comes in on the other) or open")
+        ->add_option("--sizes", choice.sizes,
+                     "Radius of the largest over that of the smallest, from 1 to 1000 (beyond, a contact's "
+                     "margin, 1e-6 of the smallest, is too little for proofs about the largest)")
+        ->check(Within(1.0, 1e3));
+    world->add_option("--density", choice.density, "The polygons' area over the box's")
+        ->check(Within(0.0, 1.0, true));
+    world
+        ->add_option(
+            "--speed", choice.speed,
+            "On average, of the largest; smaller ones have the same energy (bullet: a hundredth of its own)")
+        ->check(Within(0.0, kMost));
+    world->add_option("--seconds", choice.seconds, "Units of time to simulate")
+        ->check(Within(0.0, kMost, true));
+    read("--boundary", "walls, periodic (what leaves on one side comes in on the other) or open",
+         [](const std::string &name, WorldChoice *its) {
+             its->boundary = name == "open" ? BMR_OPEN : name == "walls" ? BMR_WALLED : BMR_PERIODIC;
+         })
         ->check(CLI::IsMember({"walls", "periodic", "open"}));
-    world->add_option("--answer", command.answer, "To contacts: elastic, pass, or a restitution");
-    world->add_option("--zeno", command.zeno, "error or elastic")->check(CLI::IsMember({"error", "elastic"}));
-    world->add_option("--zeno-speed", command.zenoSpeed, "Of --zeno elastic: slower than this is slow");
-    world->add_option("--structure", command.structure, "Of near pairs; `events --list` shows all");
-    world->add_option("--seed", command.seed, "Of all that is drawn")
+    read("--answer", "To contacts: elastic, pass, or a restitution", ReadAnswer);
+    read("--zeno", "error or elastic", [](const std::string &name, WorldChoice *its) {
+        its->zeno = name == "error" ? BMR_ZENO_ERROR : BMR_ZENO_ELASTIC;
+    })->check(CLI::IsMember({"error", "elastic"}));
+    world->add_option("--zeno-speed", choice.zenoSpeed, "Of --zeno elastic: slower than this is slow")
+        ->check(Within(0.0, kMost, true))
+        ->each([&choice](const std::string &) {
+            if (choice.zeno == BMR_ZENO_ERROR)
+                throw UsageError("--zeno-speed: there is none without --zeno elastic");
+        });
+    read("--structure", "Of near pairs; `events --list` shows all", ReadStructure);
+    world->add_option("--seed", choice.seed, "Of all that is drawn")
         ->check(Whole(0, UINT64_MAX))
         ->capture_default_str();
-    world->add_flag("--all-pairs", command.allPairs,
-                    "No cells: every two bodies are watched, for comparison");
+    world->add_flag("--all-pairs", choice.allPairs, "No cells: every two bodies are watched, for comparison");
     world->add_flag("--check", command.check,
                     "At the end, look for overlaps of any two bodies by brute force");
     world->add_flag("--audit", command.audit, "Prove every certificate again, four times in the run");
