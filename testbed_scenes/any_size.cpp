@@ -20,46 +20,40 @@ std::vector<Outline> CutConvex(const Outline &outline) {
     return pieces;
 }
 
-std::vector<std::unique_ptr<b2Shape>> MakePieces(BodyKind kind, const Outline &outline) {
+Fixtures MakePolygons(const std::vector<Outline> &outlines) {
     std::vector<std::unique_ptr<b2Shape>> pieces;
-    if (kind == BodyKind::One) {
-        pieces.push_back(MakeOnePolygon(outline));
-        return pieces;
-    }
-    for (const Outline &piece : CutConvex(outline)) {
+    for (const Outline &outline : outlines) {
         auto shape = std::make_unique<b2PolygonShape>();
-        shape->Set(piece.data(), static_cast<int32>(piece.size()));
+        shape->Set(outline.data(), static_cast<int32>(outline.size()));
         pieces.push_back(std::move(shape));
     }
-    return pieces;
+    return Fixtures(std::move(pieces));
+}
+
+Fixtures MakeOne(std::unique_ptr<b2Shape> shape) {
+    std::vector<std::unique_ptr<b2Shape>> pieces;
+    pieces.push_back(std::move(shape));
+    return Fixtures(std::move(pieces));
 }
 
 } // namespace
 
 const char *NameOf(BodyKind kind) {
-    switch (kind) {
-    case BodyKind::One:
-        return "one";
-    case BodyKind::Many:
-        return "many";
-    case BodyKind::Circle:
-        break;
-    }
-    return "circle";
+    static constexpr const char *names[] = {"one", "many", "circle"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
-AnySizePolygon::AnySizePolygon(BodyKind kind, const Outline &outline) {
-    m_pieces = MakePieces(kind, outline);
+Fixtures AnySizePolygon(BodyKind kind, const Outline &outline) {
+    return kind == BodyKind::One ? MakeOne(MakeOnePolygon(outline)) : MakePolygons(CutConvex(outline));
 }
 
-AnySizePolygon::AnySizePolygon(const PolygonChoice &choice, float radius, float phase) {
+Fixtures AnySizePolygon(const PolygonChoice &choice, float radius, float phase) {
     if (choice.bodies == BodyKind::Circle)
-        m_pieces.push_back(std::make_unique<b2CircleShape>(MakeCircle(radius)));
-    else
-        m_pieces = MakePieces(choice.bodies, RegularOutline(choice.vertices, radius, phase));
+        return MakeOne(std::make_unique<b2CircleShape>(MakeCircle(radius)));
+    return AnySizePolygon(choice.bodies, RegularOutline(choice.vertices, radius, phase));
 }
 
-void ManyFixtures::AddTo(Stage &stage, b2Body *body, const b2FixtureDef &def) const {
+void Fixtures::AddTo(Stage &stage, b2Body *body, const b2FixtureDef &def) const {
     for (const std::unique_ptr<b2Shape> &piece : m_pieces)
         stage.AddFixture(body, def, *piece);
 }
@@ -71,16 +65,9 @@ Concave StarShaped(const Outline &outline) {
     return concave;
 }
 
-OutlinedBody::OutlinedBody(BodyKind kind, const Concave &concave, float tolerance) {
-    if (kind == BodyKind::One) {
-        m_pieces = MakeOutlinePieces(concave, tolerance);
-        return;
-    }
-    for (const Outline &triangle : concave.triangles) {
-        auto shape = std::make_unique<b2PolygonShape>();
-        shape->Set(triangle.data(), 3);
-        m_pieces.push_back(std::move(shape));
-    }
+Fixtures OutlinedBody(BodyKind kind, const Concave &concave, float tolerance) {
+    return kind == BodyKind::One ? Fixtures(MakeOutlinePieces(concave, tolerance))
+                                 : MakePolygons(concave.triangles);
 }
 
 } // namespace testbed

@@ -3,6 +3,7 @@
 #define BOOMERANG_TESTBED_ANY_SIZE_H
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "shapes.h"
@@ -16,21 +17,19 @@ namespace testbed {
 
 /// A shape as `kind` asks for it, made once and put on as many bodies as there are: their fixtures share what
 /// can be shared.
-class ManyFixtures {
+class Fixtures {
 public:
+    explicit Fixtures(std::vector<std::unique_ptr<b2Shape>> pieces) : m_pieces(std::move(pieces)) {}
     void AddTo(Stage &stage, b2Body *body, const b2FixtureDef &def) const;
 
-protected:
+private:
     std::vector<std::unique_ptr<b2Shape>> m_pieces;
 };
 
-class AnySizePolygon : public ManyFixtures {
-public:
-    /// Counter-clockwise, strictly convex. Throws std::runtime_error where this worker has no such shape.
-    AnySizePolygon(BodyKind kind, const Outline &outline);
-    /// A regular polygon around the origin; or the circle that goes through its vertices.
-    AnySizePolygon(const PolygonChoice &choice, float radius, float phase = 0.0f);
-};
+/// Counter-clockwise, strictly convex. Throws std::runtime_error where this worker has no such shape.
+Fixtures AnySizePolygon(BodyKind kind, const Outline &outline);
+/// A regular polygon around the origin; or the circle that goes through its vertices.
+Fixtures AnySizePolygon(const PolygonChoice &choice, float radius, float phase = 0.0f);
 
 /// One shape with all these vertices: a b2PolygonShape up to 8, above what the plugin has. Each worker has
 /// its own; stock's throws std::runtime_error above 8.
@@ -50,12 +49,8 @@ struct Concave {
 /// An outline that is star-shaped about the origin: its triangles are its edges, each with the origin.
 Concave StarShaped(const Outline &outline);
 
-/// An outline.
-class OutlinedBody : public ManyFixtures {
-public:
-    /// Pieces within `tolerance` of the outline. Throws std::runtime_error where this worker has none.
-    OutlinedBody(BodyKind kind, const Concave &concave, float tolerance = 0.0f);
-};
+/// Pieces within `tolerance` of the outline. Throws std::runtime_error where this worker has none.
+Fixtures OutlinedBody(BodyKind kind, const Concave &concave, float tolerance = 0.0f);
 
 /// The pieces of an outline that know their seams. Each worker has its own; stock's throws
 /// std::runtime_error.

@@ -26,14 +26,12 @@ constexpr size_t kNarrowColumns = 8, kWideColumns = 6;
 struct EventsCommand {
     std::vector<std::string> motions;    ///< none: all
     std::vector<std::string> structures; ///< names or groups; none: "default"
-    size_t n = 64;
     std::string shape = "ellipse:disc";
     std::string ratios = "8:2048";
     unsigned seeds = 3;
-    std::vector<std::string> polygons;
-    std::string motion;
     std::string csv;
-    bool audit = false, noOptimum = false, quiet = false, list = false, box2d = false;
+    bool noOptimum = false, quiet = false, list = false, box2d = false;
+    Experiment experiment; ///< what of it is told directly
 };
 
 // --- what is asked for ---
@@ -95,13 +93,12 @@ std::vector<double> RatiosFor(const std::string &text) {
 
 /// What the command asks for; throws UsageError.
 Experiment ExperimentFor(const EventsCommand &command) {
-    Experiment experiment;
+    Experiment experiment = command.experiment;
     for (const std::string &word : command.motions)
         experiment.motions.push_back(static_cast<bmr_family>(IndexOf("motion", word, MotionNames())));
     if (command.motions.empty())
         for (int i = 0; i < BMR_FAMILY_COUNT; ++i)
             experiment.motions.push_back(static_cast<bmr_family>(i));
-    experiment.n = command.n;
     const size_t colon = command.shape.find(':');
     const std::string a = command.shape.substr(0, colon),
                       b = colon == std::string::npos ? a : command.shape.substr(colon + 1);
@@ -120,10 +117,7 @@ Experiment ExperimentFor(const EventsCommand &command) {
     experiment.ratios = RatiosFor(command.ratios);
     for (unsigned seed = 1; seed <= command.seeds; ++seed)
         experiment.seeds.push_back(seed);
-    experiment.audit = command.audit;
     experiment.optimum = !command.noOptimum;
-    experiment.polygonFiles = command.polygons;
-    experiment.motionFile = command.motion;
     return experiment;
 }
 
@@ -400,7 +394,7 @@ int Execute(const EventsCommand &command, const std::string &workersDirectory) {
         ListStructures();
         return kExitOk;
     }
-    if (command.polygons.size() > 2)
+    if (command.experiment.polygonFiles.size() > 2)
         throw UsageError("--polygon: A's and B's, and no third");
     try {
         return CountEvents(command, workersDirectory);
@@ -421,7 +415,7 @@ void AddEvents(CLI::App &app, Program &program) {
         ->add_option("--structures", command.structures,
                      "Structures or groups that --list shows (default: rigid and rivals)")
         ->delimiter(',');
-    events->add_option("--n", command.n, "Vertices of each polygon")
+    events->add_option("--n", command.experiment.n, "Vertices of each polygon")
         ->check(Whole(3, 65535))
         ->capture_default_str();
     events->add_option("--shape", command.shape, "Shape of A, or of A:B; B may be a point")
@@ -433,15 +427,17 @@ void AddEvents(CLI::App &app, Program &program) {
     events->add_option("--seeds", command.seeds, "How many motions of each kind")
         ->check(Whole(1, 100000))
         ->capture_default_str();
-    CLI::Option *polygon = events->add_option("--polygon", command.polygons,
+    CLI::Option *polygon = events->add_option("--polygon", command.experiment.polygonFiles,
                                               "A polygon of one's own, \"x y\" a line; twice: A's and B's");
     polygon->check(CLI::ExistingFile)->allow_extra_args(false);
-    events->add_option("--motion", command.motion, "A motion of one's own, in the statements below")
+    events
+        ->add_option("--motion", command.experiment.motionFile,
+                     "A motion of one's own, in the statements below")
         ->check(CLI::ExistingFile);
     events->add_option("--csv", command.csv, "Write every run into this file, one row a run");
     events->add_flag("--box2d", command.box2d,
                      "Lead two Box2D bodies along the same courses and count what Box2D asks");
-    events->add_flag("--audit", command.audit, "Prove every certificate again, by brute force");
+    events->add_flag("--audit", command.experiment.audit, "Prove every certificate again, by brute force");
     events->add_flag("--no-optimum", command.noOptimum, "Leave the offline optimum out");
     events->add_flag("--quiet", command.quiet, "No tables");
     events->add_flag("--list", command.list, "Show structures, motions and shapes, and run nothing");

@@ -20,7 +20,7 @@ class Stack final : public Scene {
         // An edge lies below; above it one, too, where the number of vertices is even.
         const float turn = b2_pi / static_cast<float>(vertices);
         const float apothem = stage.Polygons().bodies == BodyKind::Circle ? radius : radius * std::cos(turn);
-        const AnySizePolygon coin(stage.Polygons(), radius, -0.5f * b2_pi + turn);
+        const Fixtures coin = AnySizePolygon(stage.Polygons(), radius, -0.5f * b2_pi + turn);
         b2Body *ground = stage.AddBody(b2_staticBody, {0.0f, 0.0f});
         stage.AddFixture(ground, MakeBox(20.0f, 1.0f, {0.0f, -1.0f}), 0.0f);
         for (int i = 0; i < size; ++i) {
@@ -37,7 +37,7 @@ class Wheels final : public Scene {
         b2Body *ground = stage.AddBody(b2_staticBody, {0.0f, 0.0f}, -slope);
         const float length = spacing * static_cast<float>(size) + 40.0f;
         stage.AddFixture(ground, Material(0.0f, 0.9f), MakeBox(length, 1.0f, {0.0f, -1.0f}));
-        const AnySizePolygon wheel(stage.Polygons(), radius);
+        const Fixtures wheel = AnySizePolygon(stage.Polygons(), radius);
         for (int i = 0; i < size; ++i) {
             const b2Vec2 place(spacing * static_cast<float>(i) - 0.5f * length, radius + kSkins);
             b2Body *body = stage.AddBody(b2_dynamicBody, b2Mul(along, place));
@@ -49,7 +49,7 @@ class Wheels final : public Scene {
 class Planet final : public Scene {
     void Build(Stage &stage, int size) override {
         stage.World().SetGravity({0.0f, 0.0f});
-        const AnySizePolygon planet(stage.Polygons(), radius);
+        const Fixtures planet = AnySizePolygon(stage.Polygons(), radius);
         planet.AddTo(stage, stage.AddBody(b2_staticBody, {0.0f, 0.0f}), Material(0.0f, 0.6f));
         const int towers = (size + height - 1) / height;
         for (int i = 0; i < size; ++i) {
@@ -85,7 +85,7 @@ class CoinsGas final : public Scene {
         stage.World().SetGravity({0.0f, 0.0f});
         const Grid grid(size, 18, 2.05f);
         AddArena(stage, {0.0f, 0.0f}, grid.halfWidth, grid.halfHeight, 1.0f);
-        const AnySizePolygon coin(stage.Polygons(), 0.5f);
+        const Fixtures coin = AnySizePolygon(stage.Polygons(), 0.5f);
         for (int i = 0; i < size; ++i) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
@@ -102,7 +102,7 @@ class CoinsPile final : public Scene {
         constexpr int columns = 10;
         constexpr float radius = 0.85f, spacing = 1.85f;
         AddArena(stage, {0.0f, 25.0f}, 0.5f * spacing * columns + 1.0f, 25.0f, 0.0f);
-        const AnySizePolygon coin(stage.Polygons(), radius);
+        const Fixtures coin = AnySizePolygon(stage.Polygons(), radius);
         for (int i = 0; i < size; ++i) {
             b2BodyDef def;
             def.type = b2_dynamicBody;

@@ -21,8 +21,8 @@ class BulletsAtThin final : public Scene {
         AddArena(stage, {0.0f, 0.0f}, halfWidth, halfHeight, 0.5f);
         AddTargets(stage);
         const PolygonChoice &choice = stage.Polygons();
-        const AnySizePolygon ball(choice, 0.15f);
-        const AnySizePolygon shell(choice.bodies, EllipseOutline(choice.vertices, 0.25f, 0.1f));
+        const Fixtures ball = AnySizePolygon(choice, 0.15f);
+        const Fixtures shell = AnySizePolygon(choice.bodies, EllipseOutline(choice.vertices, 0.25f, 0.1f));
         for (int i = 0; i < size; ++i) {
             b2BodyDef def;
             def.type = b2_dynamicBody;

@@ -32,10 +32,11 @@ class Gears final : public Scene {
         // teeth: every other gear is turned by half a tooth, and they all mesh.
         constexpr float phases[] = {0.0f, b2_pi / teeth};
         const PolygonChoice &choice = stage.Polygons();
-        std::vector<OutlinedBody> outlined;
+        std::vector<Fixtures> outlined;
         for (const float phase : phases)
             if (choice.vertices != 0)
-                outlined.emplace_back(choice.bodies, StarShaped(GearOutline(choice.vertices / teeth, phase)));
+                outlined.push_back(
+                    OutlinedBody(choice.bodies, StarShaped(GearOutline(choice.vertices / teeth, phase))));
         for (int i = 0; i < size; ++i) {
             const int row = i / columns, column = i % columns;
             const b2Vec2 center(pitchRadius * static_cast<float>(2 * column - columns + 1),

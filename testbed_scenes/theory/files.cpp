@@ -35,6 +35,9 @@ public:
         std::string word;
         if (!(words >> word))
             Fail("a number is missing: " + what);
+        return ValueOf(word, what);
+    }
+    double ValueOf(const std::string &word, const std::string &what) const {
         char *end = nullptr;
         const double value = std::strtod(word.c_str(), &end);
         if (*end != '\0' || !std::isfinite(value))
@@ -72,35 +75,26 @@ bmr_motion_piece ReadAlgebraic(const Lines &lines, std::istringstream &words, do
     algebraic.start_c = std::cos(angle);
     algebraic.start_s = std::sin(angle);
     algebraic.a[0] = 1.0;
-    double *target = nullptr;
-    size_t count = 0;
+    double *target = nullptr; // of the coefficients that follow
+    size_t count = 0, *degree = nullptr;
     for (std::string word; words >> word;) {
         double *const named = word == "x"   ? algebraic.x
                               : word == "y" ? algebraic.y
                               : word == "a" ? algebraic.a
                               : word == "b" ? algebraic.b
                                             : nullptr;
-        if (named) {
+        if (named != nullptr) {
             target = named;
+            degree = word == "x" || word == "y" ? &algebraic.degree : &algebraic.rotation_degree;
             count = 0;
             continue;
         }
-        size_t used = 0;
-        double value = NAN;
-        try {
-            value = std::stod(word, &used);
-        } catch (const std::exception &) {
-            used = 0;
-        }
-        if (!target || used != word.size() || !std::isfinite(value))
-            lines.Fail("\"" + word + "\" is neither a coefficient nor one of x, y, a, b");
+        if (target == nullptr)
+            lines.Fail("\"" + word + "\" is none of x, y, a, b");
         if (count > BMR_MOTION_MAX_DEGREE)
             lines.Fail("a degree above " + std::to_string(BMR_MOTION_MAX_DEGREE));
-        target[count] = value;
-        size_t &degree =
-            target == algebraic.x || target == algebraic.y ? algebraic.degree : algebraic.rotation_degree;
-        degree = std::max(degree, count);
-        ++count;
+        target[count] = lines.ValueOf(word, "a coefficient");
+        *degree = std::max(*degree, count++);
     }
     return piece;
 }
