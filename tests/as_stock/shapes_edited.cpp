@@ -6,41 +6,6 @@
 
 using namespace as_stock;
 
-namespace {
-
-b2PolygonShape Regular(int32 count, float radius) {
-    b2Vec2 corners[b2_maxPolygonVertices];
-    for (int32 i = 0; i < count; ++i)
-        corners[i] = b2Mul(b2Rot(2.0f * b2_pi * (Real(i) + 0.5f) / Real(count)), b2Vec2(radius, 0.0f));
-    b2PolygonShape shape;
-    shape.Set(corners, count);
-    return shape;
-}
-
-} // namespace
-
-// A sensor's record has the depth of a vertex in the other shape, or a line that kept the two apart.
-AS_STOCK_HOW(kMayBeSilent, "a sensor's deepest vertex is gone, and its line keeps nobody apart") {
-    Heard game(run);
-    b2Body *eye = game.Body(b2_dynamicBody, {0.0f, 0.0f}), *seen = game.Body(b2_dynamicBody, {0.9f, 0.0f});
-    auto *watching = static_cast<b2PolygonShape *>(game.Fixture(eye, Regular(8, 1.0f), true)->GetShape());
-    auto *watched = static_cast<b2PolygonShape *>(game.Fixture(seen, Regular(8, 0.5f))->GetShape());
-    eye->SetSleepingAllowed(false);
-    seen->SetSleepingAllowed(false);
-    int both[2] = {0, 0};
-    for (int round = 0; round < 24; ++round) {
-        *watched = Regular(static_cast<int32>(8 - round % 6), round % 4 == 3 ? 0.02f : 0.5f);
-        *watching = Regular(static_cast<int32>(3 + (7 * round) % 6), round % 5 == 4 ? 0.2f : 1.0f);
-        seen->SetTransform({0.45f * Real(round % 5), 0.3f}, 0.4f * Real(round));
-        game.Step(2);
-        ++both[game.world.GetContactList() != nullptr && game.world.GetContactList()->IsTouching()];
-        // From corner to corner, where their boxes overlap: the contact goes on.
-        seen->SetTransform({1.12f, 1.12f}, 0.0f);
-        game.Step();
-    }
-    game.Stage(both[0] > 3 && both[1] > 3, "they overlap, and do not");
-}
-
 // Box2D's search ends with its own rounding where a segment goes through the origin: on a grid that is often
 // so.
 AS_STOCK_HOW(kMayBeSilent, "sensors without skins lose each other, however deep they are inside each other") {

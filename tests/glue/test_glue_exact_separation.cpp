@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the glue says of distances against rational arithmetic: a slack is never above the true distance,
-// "apart" is apart and "overlapping" overlaps, at poses a unit in the last place from touching, ten
-// kilometres out, at any angle, of slivers and of polygons of hundreds of metres.
-#include <box2d/b2_distance.h>
-#include <box2d/b2_time_of_impact.h>
+// What hulls and pictures say of distances against rational arithmetic: a slack is never above the true
+// distance, and "apart" is apart, at poses a unit in the last place from touching, ten kilometres out, at any
+// angle, of slivers and of polygons of hundreds of metres. (Sweeps and overlaps: test_glue_sweeps and
+// test_glue_overlaps, against Box2D itself.)
 #include <box2d/box2d.h>
 
 #include "boomerang/box2d_glue.h"
@@ -12,8 +11,6 @@
 #include "debug/inspect.h"
 #include "exact_polygons.h"
 #include "glue/proofs/hull_pair.h"
-#include "glue/proofs/overlap.h"
-#include "glue/proofs/sweep_apart.h"
 #include "glue/proofs/thresholds.h"
 #include "in_child.h"
 #include "start/settings.h"
@@ -330,109 +327,4 @@ TEST_CASE(
     CHECK(beyond == 0);
     CHECK(gaps.claims > Rounds(300) / 2);
     CHECK(gaps.lies == 0);
-}
-
-TEST_CASE("what is certainly apart or overlapping is so by the exact distance") {
-    Engine engine(34);
-    size_t apart = 0, overlapping = 0, wrong = 0, wrongIfMore = 0;
-    for (size_t i = 0; i < Rounds(1500); ++i) {
-        Couple t(engine);
-        const b2Fixture *f = t.a->GetFixtureList(), *g = t.b->GetFixtureList();
-        const double radii = double{PolygonOf(f).m_radius + PolygonOf(g).m_radius};
-        const double touching = radii + 10.0 * double{b2_epsilon};
-        t.Put(engine, OneOf(engine, kFar),
-              touching + OneOf(engine, {-0.3, -1e-3, -1e-4, -1e-5, 1e-5, 1e-4, 1e-3, 0.5}));
-        const Number truth = exact::SquaredDistance(At(PolygonOf(f), t.a->GetTransform()),
-                                                    At(PolygonOf(g), t.b->GetTransform()));
-        const bmr::Overlap ours =
-            bmr::CertainOverlap(PolygonOf(f), 0, PolygonOf(g), 0, t.a->GetTransform(), t.b->GetTransform());
-        apart += ours == bmr::Overlap::kApart;
-        overlapping += ours == bmr::Overlap::kOverlapping;
-        wrong += ours == bmr::Overlap::kApart && !IsTrue(touching, truth);
-        wrong += ours == bmr::Overlap::kOverlapping && truth > Square(touching);
-        wrongIfMore += ours == bmr::Overlap::kApart && !IsTrue(touching + 2e-3, truth);
-    }
-    MESSAGE("apart ", apart, ", overlapping ", overlapping);
-    CHECK(apart > Rounds(1500) / 10);
-    CHECK(overlapping > Rounds(1500) / 20);
-    CHECK(wrong == 0);
-    CHECK(wrongIfMore > 0); // the control
-}
-
-namespace {
-
-b2Sweep RandomSweep(Engine &engine, const b2PolygonShape &shape, double far, double way) {
-    b2Sweep sweep;
-    sweep.localCenter = shape.m_centroid;
-    sweep.c.Set(UniformF(engine, -far, far), UniformF(engine, -far, far));
-    sweep.c0 = sweep.c + b2Vec2(UniformF(engine, -way, way), UniformF(engine, -way, way));
-    sweep.a = UniformF(engine, -400.0, 400.0);
-    sweep.a0 = sweep.a + static_cast<float>(way) * UniformF(engine, -0.6, 0.6);
-    sweep.alpha0 = 0.0f;
-    return sweep;
-}
-
-/// The polygon at a time of the sweep: the angle's sine and cosine as double has them, all else exact.
-Places At(const b2PolygonShape &shape, const b2Sweep &sweep, double t) {
-    const double angle = (1.0 - t) * double{sweep.a0} + t * double{sweep.a};
-    const Number s(std::sin(angle)), c(std::cos(angle)), rest = Number(1) - Number(t);
-    const auto between = [&](float start, float end) -> Number {
-        return rest * Number(double{start}) + Number(t) * Number(double{end});
-    };
-    const Number x = between(sweep.c0.x, sweep.c.x), y = between(sweep.c0.y, sweep.c.y);
-    Places points;
-    for (int32 i = 0; i < shape.m_count; ++i) {
-        const Number px = Number(shape.m_vertices[i].x) - Number(sweep.localCenter.x),
-                     py = Number(shape.m_vertices[i].y) - Number(sweep.localCenter.y);
-        points.push_back({x + c * px - s * py, y + s * px + c * py});
-    }
-    return points;
-}
-
-} // namespace
-
-TEST_CASE("what never touches is farther apart than the impact distance at every time that is looked at") {
-    Engine engine(35);
-    size_t proofs = 0, wrong = 0, wrongIfMore = 0;
-    for (size_t i = 0; i < Rounds(300); ++i) {
-        const b2PolygonShape a = RandomShape(engine), b = RandomShape(engine);
-        const double far = OneOf(engine, {0.0, 10.0, 200.0}), way = OneOf(engine, {0.0, 0.01, 0.3, 2.0});
-        b2TOIInput in;
-        in.proxyA.Set(&a, 0);
-        in.proxyB.Set(&b, 0);
-        in.sweepA = RandomSweep(engine, a, far, way);
-        in.sweepB = RandomSweep(engine, b, far, way);
-        in.tMax = 1.0f;
-        const double angle = Uniform(engine, -3.2, 3.2);
-        const b2Vec2 away(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
-        const b2Vec2 back = in.sweepB.c0 - in.sweepB.c;
-        const auto proved = [&](float distance) {
-            in.sweepB.c = in.sweepA.c + distance * away;
-            in.sweepB.c0 = in.sweepB.c + back;
-            const bmr::SweptShape sweptA = bmr::Sweep(in.proxyA, in.sweepA, b2Rot(in.sweepA.a)),
-                                  sweptB = bmr::Sweep(in.proxyB, in.sweepB, b2Rot(in.sweepB.a));
-            bmr_vec32 direction = {0.0f, 0.0f};
-            return bmr::NeverTouch(sweptA, sweptB, &direction);
-        };
-        float near = 0.0f, apart = 300.0f;
-        if (!proved(apart))
-            continue;
-        for (int j = 0; j < 28; ++j) {
-            const float middle = 0.5f * (near + apart);
-            (proved(middle) ? apart : near) = middle;
-        }
-        if (!proved(apart))
-            continue;
-        ++proofs;
-        const double impact = double{bmr::ImpactDistance(a.m_radius + b.m_radius)};
-        for (const double t : {0.0, 0.125, 0.5, 0.8125, 1.0}) {
-            const Number truth = exact::SquaredDistance(At(a, in.sweepA, t), At(b, in.sweepB, t));
-            wrong += !IsTrue(impact, truth);
-            wrongIfMore += !IsTrue(impact + 0.002, truth);
-        }
-    }
-    MESSAGE("proofs ", proofs);
-    CHECK(proofs > Rounds(300) / 2);
-    CHECK(wrong == 0);
-    CHECK(wrongIfMore > 0); // the control
 }
