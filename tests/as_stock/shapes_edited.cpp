@@ -2,56 +2,8 @@
 // The traps that Box2D lays for a program that keeps state about its bodies: shapes that are changed in
 // place, and fixtures that change unannounced. README.md has the list.
 #include "as_stock.h"
-#include "random.h"
 
 using namespace as_stock;
-
-// Box2D's search ends with its own rounding where a segment goes through the origin: on a grid that is often
-// so.
-AS_STOCK_HOW(kMayBeSilent, "sensors without skins lose each other, however deep they are inside each other") {
-    constexpr int kPairs = 60, kSteps = 200;
-    constexpr float kCell = 0.05f, kFar = 100.0f;
-    Heard game(run);
-    test_random random = {1};
-    const auto below = [&random](uint32_t count) {
-        return static_cast<int>(test_random_below(&random, count));
-    };
-    const auto cells = [](int count) { return kCell * Real(count); };
-    struct Couple {
-        b2Body *seen;
-        int x, y;
-    } couples[kPairs];
-    const auto place = [&](int i) {
-        return b2Vec2(kFar + cells(80 * (i % 8) + couples[i].x), kFar + cells(80 * (i / 8) + couples[i].y));
-    };
-    for (int i = 0; i < kPairs; ++i) {
-        couples[i] = {nullptr, 0, 0};
-        b2Body *const eye = game.Body(b2_dynamicBody, place(i));
-        couples[i].seen = game.Body(b2_dynamicBody, place(i));
-        for (b2Body *body : {eye, couples[i].seen}) {
-            b2PolygonShape box;
-            box.SetAsBox(cells(4 + below(20)), cells(4 + below(20)));
-            box.m_radius = 0.0f;
-            game.Fixture(body, box, body == eye);
-            body->SetSleepingAllowed(false);
-        }
-    }
-    int lost = 0, touching = 0;
-    for (int step = 0; step < kSteps; ++step) {
-        for (int i = 0; i < kPairs; ++i) {
-            Couple &couple = couples[i];
-            if (below(6) != 0)
-                continue;
-            couple.x = (couple.x + 3 + below(3)) % 7 - 3;
-            couple.y = (couple.y + 3 + below(3)) % 7 - 3;
-            couple.seen->SetTransform(place(i), 0.0f);
-        }
-        game.Step();
-        for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
-            ++(c->IsTouching() ? touching : lost);
-    }
-    game.Stage(touching > 9 * kPairs * kSteps / 10 && lost > 30, "nearly all overlap, and some do not");
-}
 
 AS_STOCK("an edge that was edited away separates nothing") {
     constexpr float kEighth = 0.785398185f;
