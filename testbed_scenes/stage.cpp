@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "scene.h"
+#include "state/snapshot.h"
 
 namespace testbed {
 
-Stage::Stage(Scene &scene, unsigned long seed, EventObserver *observer)
-    : m_scene(scene), m_observer(observer), m_random(seed), m_world(b2Vec2(0.0f, -10.0f)) {
+Stage::Stage(Scene &scene, unsigned long seed, EventRecorder *recorder)
+    : m_scene(scene), m_recorder(recorder), m_random(seed), m_world(b2Vec2(0.0f, -10.0f)) {
     m_world.SetDestructionListener(this);
-    if (observer != nullptr || scene.Listens())
+    if (recorder != nullptr || scene.Listens())
         m_world.SetContactListener(this);
 }
 
@@ -52,38 +53,38 @@ b2Joint *Stage::AddHinge(b2Body *bodyA, b2Body *bodyB, b2Vec2 anchor) {
 }
 
 void Stage::BeginContact(b2Contact *contact) {
-    if (m_observer != nullptr)
-        m_observer->OnBegin(*contact);
+    if (m_recorder != nullptr)
+        m_recorder->OnBegin(*contact);
     m_scene.OnBegin(*contact);
 }
 
 void Stage::EndContact(b2Contact *contact) {
-    if (m_observer != nullptr)
-        m_observer->OnEnd(*contact);
+    if (m_recorder != nullptr)
+        m_recorder->OnEnd(*contact);
     m_scene.OnEnd(*contact);
 }
 
 void Stage::PreSolve(b2Contact *contact, const b2Manifold *old) {
-    if (m_observer != nullptr)
-        m_observer->OnPreSolve(*contact, *old);
+    if (m_recorder != nullptr)
+        m_recorder->OnPreSolve(*contact, *old);
     m_scene.OnPreSolve(*contact, *old);
 }
 
 void Stage::PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) {
-    if (m_observer != nullptr)
-        m_observer->OnPostSolve(*contact, *impulse);
+    if (m_recorder != nullptr)
+        m_recorder->OnPostSolve(*contact, *impulse);
     m_scene.OnPostSolve(*contact, *impulse);
 }
 
 void Stage::SayGoodbye(b2Joint *joint) {
-    if (m_observer != nullptr)
-        m_observer->OnGoodbye(*joint);
+    if (m_recorder != nullptr)
+        m_recorder->OnGoodbye(*joint);
     m_scene.OnGoodbye(*joint);
 }
 
 void Stage::SayGoodbye(b2Fixture *fixture) {
-    if (m_observer != nullptr)
-        m_observer->OnGoodbye(*fixture);
+    if (m_recorder != nullptr)
+        m_recorder->OnGoodbye(*fixture);
 }
 
 Random::Random(unsigned long seed) : m_generator(gsl_rng_alloc(gsl_rng_mt19937)) {

@@ -51,27 +51,17 @@ private:
 };
 
 class Scene;
-
-/// Is told what Box2D tells its listeners, before the scene is: the scene may change the contact.
-class EventObserver {
-public:
-    virtual ~EventObserver() = default;
-    virtual void OnBegin(const b2Contact &contact) = 0;
-    virtual void OnEnd(const b2Contact &contact) = 0;
-    virtual void OnPreSolve(const b2Contact &contact, const b2Manifold &old) = 0;
-    virtual void OnPostSolve(const b2Contact &contact, const b2ContactImpulse &impulse) = 0;
-    virtual void OnGoodbye(const b2Joint &joint) = 0;
-    virtual void OnGoodbye(const b2Fixture &fixture) = 0;
-};
+class EventRecorder;
 
 /// A world and the numbers of what is in it. Everything in a world is made through its stage, which numbers
 /// bodies, joints and each body's fixtures in the order of their creation and keeps the number in the user
 /// data: addresses differ from run to run, numbers do not.
 class Stage final : private b2ContactListener, private b2DestructionListener {
 public:
-    /// The contact listener is installed only if there is an observer or the scene listens: a world that
-    /// nobody listens to is what gets timed.
-    Stage(Scene &scene, unsigned long seed, EventObserver *observer);
+    /// What Box2D tells its listeners the recorder gets (nullptr: there is none) before the scene, which may
+    /// change the contact. The contact listener is installed only if there is a recorder or the scene
+    /// listens: a world that nobody listens to is what gets timed.
+    Stage(Scene &scene, unsigned long seed, EventRecorder *recorder);
     Stage(const Stage &) = delete;
     Stage &operator=(const Stage &) = delete;
 
@@ -100,7 +90,7 @@ private:
     void SayGoodbye(b2Fixture *fixture) override;
 
     Scene &m_scene;
-    EventObserver *m_observer;
+    EventRecorder *m_recorder;
     Random m_random;
     PolygonChoice m_polygons;
     b2World m_world;

@@ -256,15 +256,15 @@ void PrintQualities(const std::vector<Run> &runs, bool colour) {
                    {"efficient", "events/external"},
                    {"hysteresis", "least rho"}};
     for (const bmr_kds_info *structure : StructuresOf(runs)) {
-        const QualitySummary qualities = QualitiesOver(runs, structure);
+        const auto [qualities, rho] = QualitiesOver(runs, structure);
         table.AddRow({{structure->name},
                       {Fixed(qualities.conditions, 0)},
                       {Fixed(qualities.bytes, 0)},
                       {Fixed(qualities.touched, 1)},
-                      {Fixed(qualities.touchedMost, 0)},
+                      {Fixed(qualities.touched_most, 0)},
                       {Fixed(qualities.replanned, 0)},
                       {Fixed(qualities.efficiency, 1)},
-                      {std::isfinite(qualities.rho) ? Fixed(qualities.rho, 3) : "-"}});
+                      {std::isfinite(rho) ? Fixed(rho, 3) : "-"}});
     }
     table.Print(std::cout, colour);
     std::cout << '\n';

@@ -2,8 +2,9 @@
 #ifndef BOOMERANG_TESTBED_SNAPSHOT_H
 #define BOOMERANG_TESTBED_SNAPSHOT_H
 
-#include "stage.h"
-#include "state/sinks.h"
+#include <box2d/box2d.h>
+
+#include "sinks.h"
 
 namespace testbed {
 
@@ -13,7 +14,7 @@ struct StateHashes {
 };
 
 /// Collects the events of a step as they come, in hash and, if wanted, in words.
-class EventRecorder final : public EventObserver {
+class EventRecorder {
 public:
     uint64_t Hash() const { return m_hash.Value(); }
     const std::string &Text() const { return m_text.Text(); }
@@ -21,14 +22,14 @@ public:
     /// Forgets what came before; the events to come are also kept as text if `inWords`.
     void StartStep(bool inWords);
 
-private:
-    void OnBegin(const b2Contact &contact) override;
-    void OnEnd(const b2Contact &contact) override;
-    void OnPreSolve(const b2Contact &contact, const b2Manifold &old) override;
-    void OnPostSolve(const b2Contact &contact, const b2ContactImpulse &impulse) override;
-    void OnGoodbye(const b2Joint &joint) override;
-    void OnGoodbye(const b2Fixture &fixture) override;
+    void OnBegin(const b2Contact &contact);
+    void OnEnd(const b2Contact &contact);
+    void OnPreSolve(const b2Contact &contact, const b2Manifold &old);
+    void OnPostSolve(const b2Contact &contact, const b2ContactImpulse &impulse);
+    void OnGoodbye(const b2Joint &joint);
+    void OnGoodbye(const b2Fixture &fixture);
 
+private:
     template <typename Visit> void Record(Visit visit);
 
     HashSink m_hash;

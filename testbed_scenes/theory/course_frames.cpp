@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "boomerang/distance.h"
 #include "theory/figure.h"
@@ -72,7 +71,6 @@ public:
         m_frame.program = "world";
         m_frame.step = step;
         m_frame.time = time;
-        m_names.clear();
         for (int i = 0; i < 2; ++i)
             AddBody(i, bmr_motion_pose(m_course.Motion(i), time, nullptr, nullptr));
         AddPair();
@@ -130,10 +128,16 @@ private:
 
     /// The line of a structure with a hierarchy is one of an edge of its owner's envelope.
     void AddEnvelopes(const bmr_kds_proof &line, shown::Proof *proof) {
-        const int level = std::max(line.level, 0);
-        for (int i = 0; i < 2; ++i)
-            proof->envelopes[static_cast<size_t>(i)] = NameEnvelope(i, level);
-        const std::vector<bmr_vec2> &corners = m_corners.at({line.owner, LevelOf(line.owner, level)});
+        std::vector<bmr_vec2> envelopes[2];
+        for (int i = 0; i < 2; ++i) {
+            const bmr_hierarchy *its =
+                m_course.BodyOf(i).Hierarchy(static_cast<bmr_hierarchy_kind>(m_structure.hierarchy));
+            const auto level = static_cast<uint32_t>(std::max(line.level, 0));
+            envelopes[i] = Envelope(its, std::min(level, bmr_hierarchy_depth(its)));
+            m_frame.outlines.push_back({i + 1, i, ToVecs(envelopes[i])});
+        }
+        proof->envelopes = {1, 2};
+        const std::vector<bmr_vec2> &corners = envelopes[line.owner];
         const double near = 1e-9 * m_course.Diameter();
         const auto isOnLine = [&](bmr_vec2 point) {
             return std::fabs(bmr_dot(line.line.normal, point) - line.line.offset) <= near;
@@ -149,30 +153,11 @@ private:
         }
     }
 
-    const bmr_hierarchy *HierarchyOf(int body) const {
-        return m_course.BodyOf(body).Hierarchy(static_cast<bmr_hierarchy_kind>(m_structure.hierarchy));
-    }
-    int LevelOf(int body, int level) const {
-        return std::min(level, static_cast<int>(bmr_hierarchy_depth(HierarchyOf(body))));
-    }
-
-    int NameEnvelope(int body, int level) {
-        const std::pair<int, int> key = {body, LevelOf(body, level)};
-        const auto [place, isNew] = m_names.try_emplace(key, static_cast<int>(m_names.size()) + 1);
-        if (isNew) {
-            m_corners[key] = Envelope(HierarchyOf(body), static_cast<uint32_t>(key.second));
-            m_frame.outlines.push_back({place->second, body, ToVecs(m_corners[key])});
-        }
-        return place->second;
-    }
-
     const Course &m_course;
     const bmr_kds_info &m_structure;
     const int64_t m_steps;
     shown::Frame m_frame; ///< in the making; events come into it while the simulation runs
     bmr_pose m_poses[2] = {};
-    std::map<std::pair<int, int>, int> m_names; ///< of the frame's envelopes, by body and level
-    std::map<std::pair<int, int>, std::vector<bmr_vec2>> m_corners;
     std::unique_ptr<bmr_simulation, decltype(&bmr_simulation_destroy)> m_simulation;
 };
 

@@ -113,24 +113,23 @@ std::string TextOf(const Growth &growth) {
 
 QualitySummary QualitiesOver(const std::vector<Run> &runs, const bmr_kds_info *structure) {
     QualitySummary summary;
+    bmr_qualities &all = summary.qualities;
     int count = 0;
     for (const Run &run : runs) {
         if (run.structure != structure)
             continue;
-        const bmr_qualities &qualities = run.outcome.run.qualities;
-        summary.conditions = std::max(summary.conditions, qualities.conditions);
-        summary.bytes = std::max(summary.bytes, qualities.bytes);
-        summary.touched += qualities.touched;
-        summary.touchedMost = std::max(summary.touchedMost, qualities.touched_most);
-        summary.replanned = std::max(summary.replanned, qualities.replanned);
-        summary.efficiency += qualities.efficiency;
+        const bmr_qualities &its = run.outcome.run.qualities;
+        all.conditions = std::max(all.conditions, its.conditions);
+        all.bytes = std::max(all.bytes, its.bytes);
+        all.touched += its.touched;
+        all.touched_most = std::max(all.touched_most, its.touched_most);
+        all.replanned = std::max(all.replanned, its.replanned);
+        all.efficiency += its.efficiency;
         summary.rho = std::min(summary.rho, run.outcome.run.hysteresis.both);
         ++count;
     }
-    if (count > 0) {
-        summary.touched /= count;
-        summary.efficiency /= count;
-    }
+    all.touched /= std::max(count, 1);
+    all.efficiency /= std::max(count, 1);
     return summary;
 }
 

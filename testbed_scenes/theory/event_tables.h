@@ -93,7 +93,7 @@ std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &
 /// The four qualities of a kinetic structure over many runs: the most of what is compact and local, the mean
 /// of what is responsive and efficient.
 struct QualitySummary {
-    double conditions = 0.0, bytes = 0.0, touched = 0.0, touchedMost = 0.0, replanned = 0.0, efficiency = 0.0;
+    bmr_qualities qualities = {};
     double rho = INFINITY; ///< hysteresis: the least change from event to event over the distance
 };
 QualitySummary QualitiesOver(const std::vector<Run> &runs, const bmr_kds_info *structure);

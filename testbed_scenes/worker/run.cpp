@@ -276,12 +276,11 @@ void RunScene(const SceneInfo &info, const Options &options) {
         frames.emplace(*options.frames, info.name);
     InstallPlugin(options.structure, options.mode == Mode::Count, frames ? &*frames : nullptr);
     EventRecorder recorder;
-    EventObserver *const observer = options.mode == Mode::Hash ? &recorder : nullptr;
     const std::unique_ptr<Scene> played = info.create();
     ListenedScene listened(*played, options.listening);
     Scene &scene = options.listening == Listening::None ? *played : listened;
     const unsigned long seed = options.seed.value_or(info.seed);
-    Stage stage(scene, seed, observer);
+    Stage stage(scene, seed, options.mode == Mode::Hash ? &recorder : nullptr);
     stage.SetPolygons(PolygonsOf(info, options));
     b2World &world = stage.World();
     const int steps = options.steps.value_or(info.steps);

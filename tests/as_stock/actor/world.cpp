@@ -12,7 +12,6 @@
 
 namespace actor {
 
-using testbed::EventObserver;
 using testbed::NumberOf;
 
 namespace {
@@ -68,10 +67,6 @@ public:
 private:
     int m_before;
 };
-
-EventObserver &Observer(testbed::EventRecorder &recorder) {
-    return recorder;
-}
 
 } // namespace
 
@@ -247,33 +242,33 @@ void World::Draw() {
 }
 
 void World::BeginContact(b2Contact *contact) {
-    Observer(m_recorder).OnBegin(*contact);
+    m_recorder.OnBegin(*contact);
     Watch(*contact);
     React(contact, kBegin);
 }
 
 void World::EndContact(b2Contact *contact) {
-    Observer(m_recorder).OnEnd(*contact);
+    m_recorder.OnEnd(*contact);
     React(contact, kEnd);
 }
 
 void World::PreSolve(b2Contact *contact, const b2Manifold *old) {
-    Observer(m_recorder).OnPreSolve(*contact, *old);
+    m_recorder.OnPreSolve(*contact, *old);
     Watch(*contact);
     React(contact, kPreSolve);
 }
 
 void World::PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) {
-    Observer(m_recorder).OnPostSolve(*contact, *impulse);
+    m_recorder.OnPostSolve(*contact, *impulse);
     React(contact, kPostSolve);
 }
 
 void World::SayGoodbye(b2Joint *joint) {
-    Observer(m_recorder).OnGoodbye(*joint);
+    m_recorder.OnGoodbye(*joint);
 }
 
 void World::SayGoodbye(b2Fixture *fixture) {
-    Observer(m_recorder).OnGoodbye(*fixture);
+    m_recorder.OnGoodbye(*fixture);
 }
 
 bool World::ShouldCollide(b2Fixture *a, b2Fixture *b) {

@@ -9,6 +9,7 @@
 
 #include <box2d/box2d.h>
 
+#include "state/numbers.h"
 #include "state/snapshot.h"
 
 namespace actor {
