@@ -20,22 +20,6 @@ static bmr_convex32_block *made_piece(const bmr_piece_corner32 *corners, size_t 
     return block;
 }
 
-/// No piece: a regular polygon.
-static bmr_convex32_block *polygon_of(uint32_t count, float radius) {
-    bmr_vec32 v[64];
-    for (uint32_t i = 0; i < count; ++i) {
-        const double angle = 6.283185307179586 * ((double)i + 0.5) / (double)count;
-        v[i].x = radius * (float)cos(angle);
-        v[i].y = radius * (float)sin(angle);
-    }
-    return made_convex32(v, count);
-}
-
-static bmr_transform32 at(float x, float y) {
-    const bmr_transform32 pose = {{x, y}, 0.0f, 1.0f};
-    return pose;
-}
-
 /// The right one of two squares of a flat ground, or of one that goes on to the left at another height: its
 /// left side is inner. The outline goes on from its upper left corner to (-1, before), and comes to its lower
 /// one from as far the other way.
@@ -145,86 +129,6 @@ TEST(what_is_no_piece_is_an_error) {
     assert_int_equal(bmr_convex32_create_piece(odd, 3, NULL, &block), BMR_ERROR_OUT_OF_RANGE);
     assert_int_equal(bmr_convex32_create_piece(line, 70000, NULL, &block), BMR_ERROR_TOO_MANY_POINTS);
     assert_ptr_equal(block, before);
-}
-
-TEST(a_polygon_is_pushed_by_faces_alone) {
-    own_convex32 *piece = right_half(0.0f), *wheel = polygon_of(64, 0.5f);
-    bmr_vec32 normal;
-    int touching = 0;
-    // A wheel on the ground rolls over the seam: what the piece says of it is up, or nothing. (As a polygon
-    // of its own it says otherwise: the control.)
-    bool told_otherwise = false;
-    for (int i = -80; i <= 80; ++i) {
-        const bmr_transform32 pose = at(0.005f * (float)i, 0.508f);
-        const bmr_manifold32 m = collide(piece, wheel, pose, &normal);
-        if (m.count > 0) {
-            ++touching;
-            assert_true(normal.y > 0.998f);
-        }
-        bmr_convex32_block plain = *piece;
-        plain.polygon.seams = NULL;
-        if (collide(&plain, wheel, pose, &normal).count > 0 && normal.y < 0.99f)
-            told_otherwise = true;
-    }
-    assert_true(touching >= 80);
-    assert_true(told_otherwise);
-    // Where the ground falls off behind the seam the corner is one, to the outline's own extent.
-    own_convex32 *edge = right_half(-2.0f);
-    const bmr_manifold32 m = collide(edge, wheel, at(-0.30f, 0.40f), &normal);
-    assert_true(m.count > 0 && normal.x < -0.5f && normal.y > 0.5f);
-}
-
-TEST(what_is_behind_an_inner_edge_is_left_to_the_piece_there) {
-    // A box pushes against the inner side of the piece, deep below its surface.
-    own_convex32 *piece = right_half(0.0f), *box = polygon_of(4, 0.2f);
-    bmr_vec32 normal;
-    const float half = 0.2f * sqrtf(0.5f);
-    for (int i = 0; i < 10; ++i) {
-        const float gap = 0.01f - 0.002f * (float)i;
-        assert_int_equal(collide(piece, box, at(-half - gap, -0.5f), &normal).count, 0);
-    }
-    // In the ground, and over both pieces: one of them has to answer; by its surface, if that is as near as
-    // the skins are thick. From far below it nothing is thrown up to there.
-    assert_true(collide(piece, box, at(-0.05f, half - 0.1f), &normal).count > 0);
-    assert_true(normal.y > 0.99f);
-    assert_true(collide(piece, box, at(-0.05f, -0.16f), &normal).count > 0);
-    assert_true(normal.x < -0.99f);
-}
-
-/// The left one of the two squares.
-static bmr_convex32_block *left_half(void) {
-    const bmr_piece_corner32 corners[] = {
-        corner(-1.0f, -1.0f, false, 0.0f, 0.0f), corner(0.0f, -1.0f, true, 1.0f, -1.0f),
-        corner(0.0f, 0.0f, false, 1.0f, 0.0f), corner(-1.0f, 0.0f, false, 0.0f, 0.0f)};
-    return made_piece(corners, 4);
-}
-
-/// Narrower than the skins, or soon so: each of the two squares would leave it to the other.
-TEST(a_tip_between_two_pieces_is_pushed_out) {
-    bmr_convex32_block *halves[2] = {left_half(), right_half(0.0f)};
-    int tips = 0, sideways = 0;
-    for (float half = 0.004f; half < 0.15f; half *= 1.5f) {
-        const bmr_vec32 v[] = {{0.0f, 0.0f}, {half, 0.5f}, {-half, 0.5f}};
-        own_convex32 *tip = made_convex32(v, 3);
-        for (int i = -8; i <= 8; ++i)
-            for (float deep = 0.006f; deep < 0.19f; deep *= 1.4f) {
-                int up = 0;
-                for (int k = 0; k < 2; ++k) {
-                    bmr_vec32 normal;
-                    const bmr_transform32 pose = at(0.0025f * (float)i, -deep);
-                    const bmr_manifold32 m = collide(halves[k], tip, pose, &normal);
-                    up += m.count > 0 && normal.y > 0.999f;
-                    bmr_convex32_block plain = *halves[k];
-                    plain.polygon.seams = NULL; // the control
-                    sideways += collide(&plain, tip, pose, &normal).count > 0 && normal.y < 0.9f;
-                }
-                assert_true(up > 0);
-                ++tips;
-            }
-    }
-    assert_true(sideways > tips / 2);
-    bmr_convex32_destroy(halves[0], NULL);
-    bmr_convex32_destroy(halves[1], NULL);
 }
 
 TEST(straight_stretches_with_seams_carry_each_other) {
@@ -360,52 +264,6 @@ TEST(a_corner_is_entered_by_the_face_that_is_run_against) {
     }
 }
 
-static bmr_piece_corner32 plain(float x, float y, bool inner) {
-    return corner(x, y, inner, x, y);
-}
-
-TEST(an_edge_of_several_knows_its_parts) {
-    // Below: a face, another in line with it, two inner edges, a face; on the right two inner edges.
-    const bmr_piece_corner32 corners[] = {
-        plain(0.0f, 0.0f, false), plain(1.0f, 0.0f, false), plain(2.0f, 0.0f, true),
-        plain(3.0f, 0.0f, true),  plain(4.0f, 0.0f, false), plain(6.0f, 0.0f, true),
-        plain(6.0f, 1.0f, true),  plain(6.0f, 2.0f, false), plain(0.0f, 2.0f, false)};
-    enum { COUNT = sizeof corners / sizeof *corners };
-    const struct {
-        bmr_vec32 from;
-        bool inner;
-    } parts[] = {{{0.0f, 0.0f}, false}, {{2.0f, 0.0f}, true}, {{3.0f, 0.0f}, true},
-                 {{4.0f, 0.0f}, false}, {{6.0f, 0.0f}, true}, {{6.0f, 1.0f}, true}};
-    for (size_t first = 0; first < COUNT; ++first) { // wherever the list begins
-        bmr_piece_corner32 turned[COUNT];
-        for (size_t i = 0; i < COUNT; ++i)
-            turned[i] = corners[(first + i) % COUNT];
-        own_convex32 *block = made_piece(turned, COUNT);
-        assert_int_equal(block->polygon.count, 4);
-        assert_int_equal(block->seams.part_count, 6);
-        uint32_t bottom = 0;
-        while (block->polygon.normals[bottom].y != -1.0f)
-            ++bottom;
-        for (uint32_t i = 0; i < 6; ++i) {
-            const uint32_t edge = (bottom + (i < 4 ? 0 : 1)) % 4;
-            uint32_t at = 0; // in order of the edges
-            while (block->seams.parts[at].edge != edge)
-                ++at;
-            const bmr_edge_part32 *const part = &block->seams.parts[at + (i < 4 ? i : i - 4)];
-            assert_true(part->edge == edge && part->inner == parts[i].inner);
-            assert_true(part->from.x == parts[i].from.x && part->from.y == parts[i].from.y);
-        }
-        assert_int_equal(block->seams.inner[bottom], 0);
-        assert_int_equal(block->seams.inner[(bottom + 1) % 4], 1);
-        // A ray comes in by the parts that are faces, and past ends of inner ones.
-        const float from[] = {1.0f, 1.99f, 2.0f, 2.5f, 3.0f, 3.5f, 4.0f, 4.01f};
-        const bmr_entry32 entries[] = {BMR_ENTRY_FACE,   BMR_ENTRY_FACE,  BMR_ENTRY_CORNER, BMR_ENTRY_INNER,
-                                       BMR_ENTRY_CORNER, BMR_ENTRY_INNER, BMR_ENTRY_FACE,   BMR_ENTRY_FACE};
-        for (size_t i = 0; i < sizeof from / sizeof *from; ++i)
-            assert_int_equal(enter(block, from[i], -1.0f, from[i], 1.0f, bottom).entry, entries[i]);
-    }
-}
-
 // ---- depths, compared with the separations along all normals ----
 
 /// Of 3 to 12 vertices on a circle around the origin, of which each edge is inner as often as not.
@@ -500,7 +358,8 @@ enum { AGAINST_POLYGON, AGAINST_PIECE, AGAINST_EDGE, AGAINST_CHAIN, AGAINST_CIRC
 /// is often farther away.
 TEST(no_manifold_is_deeper_than_the_plain_polygons) {
     test_random d = {1};
-    own_convex32 *box = polygon_of(4, 0.6f);
+    const bmr_vec32 corners[] = {{0.42f, 0.42f}, {-0.42f, 0.42f}, {-0.42f, -0.42f}, {0.42f, -0.42f}};
+    own_convex32 *box = made_convex32(corners, 4);
     const bmr_vec32 middle = {0.0f, 0.0f};
     for (int kind = 0; kind < AGAINST_ALL; ++kind) {
         int touching = 0, far_faces = 0, tips = 0;

@@ -273,6 +273,14 @@ void CheckBox(const bmr_convex32 *p, fuzz_bytes *bytes) {
     FUZZ_CHECK(Same(lower, low) && Same(upper, high), "the box differs");
 }
 
+/// How far one is from the loop of the first `count` points at most.
+double FarthestVertex(const bmr_convex32 *p, const Points &loop, size_t count) {
+    double far = 0.0;
+    for (uint32_t i = 0; i < p->count; ++i)
+        far = std::max(far, loop_distance(loop.data(), count, p->vertices[i]));
+    return far;
+}
+
 void CheckFewer(const bmr_convex32_block *block, fuzz_bytes *bytes) {
     const bmr_convex32 *p = &block->polygon;
     const uint32_t wanted = std::min(3u + fuzz_below(bytes, 6), p->count);
@@ -297,11 +305,21 @@ void CheckFewer(const bmr_convex32_block *block, fuzz_bytes *bytes) {
     FUZZ_CHECK(error == BMR_OK && count >= 3 && count <= p->count, "simplify by %g: error %d, %zu vertices",
                double{tolerance}, error, count);
     const double allowed = fuzz_control("simplify") ? -1.0 : double{tolerance} * (1.0 + 1e-9);
-    for (uint32_t i = 0; i < p->count; ++i) {
-        const double far = loop_distance(points.data(), count, p->vertices[i]);
-        FUZZ_CHECK(far <= allowed + 1e-15 * double{block->reach}, "vertex %u is %g away, allowed %g", i, far,
-                   allowed);
+    points.resize(count);
+    const double far = FarthestVertex(p, points, count), rounding = 1e-15 * double{block->reach};
+    FUZZ_CHECK(far <= allowed + rounding, "a vertex is %g away, allowed %g", far, allowed);
+    const bmr_vec32 *at = p->vertices, *const end = at + p->count;
+    for (const bmr_vec32 v : points)
+        FUZZ_CHECK((at = std::find_if(at, end, [v](bmr_vec32 q) { return Same(q, v); })) != end,
+                   "not the polygon's vertices in order");
+    // None of them can be left out but the one that the others are counted from.
+    const double within = double{tolerance} * (fuzz_control("needless") ? 1e6 : 1.0 - 1e-6) - rounding;
+    size_t needless = 0;
+    for (size_t i = 0; i < count && count > 3 && count < 64; ++i) {
+        std::rotate(points.begin(), points.begin() + 1, points.end());
+        needless += FarthestVertex(p, points, count - 1) < within;
     }
+    FUZZ_CHECK(needless <= 1, "%zu of %zu vertices are needless", needless, count);
 }
 
 } // namespace
