@@ -17,7 +17,7 @@ stage_fuzz() {
     build_sanitizers || return 1
     for fuzzer in $("$root/tests/random/run" --list); do
         if [ "$long" = yes ]; then
-            much=(--cpu --seconds "${BMR_FUZZ_SECONDS:-1800}")
+            much=(--seconds "${BMR_FUZZ_SECONDS:-1800}")
         else
             much=(--runs "$(executions_of "$fuzzer")")
         fi
