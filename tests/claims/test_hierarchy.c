@@ -36,18 +36,6 @@ TEST(a_hierarchy_is_one_block_of_the_bytes_announced_and_none_is_none) {
     bmr_compass_destroy(NULL, NULL);
 }
 
-TEST(polygons_of_65535_vertices_pass_the_audit) {
-    const test_family families[] = {TEST_CIRCLE, TEST_NEEDLE, TEST_TINY_EDGES};
-    test_random random = {119};
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        own_polygon *p = test_polygon(families[(size_t)kind % COUNT_OF(families)], 65535, &random);
-        assert_true(p->count > 60000);
-        own_hierarchy *h = test_hierarchy((bmr_hierarchy_kind)kind, p);
-        assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
-        assert_true(bmr_hierarchy_bytes(h) + bmr_polygon_bytes(p->count) <= 160 * (size_t)p->count);
-    }
-}
-
 // --- the compass ---
 
 TEST(the_compass_directions_are_exact_and_symmetric) {
@@ -66,27 +54,6 @@ TEST(the_compass_directions_are_exact_and_symmetric) {
 }
 
 // --- small shapes ---
-
-TEST(a_diamond_in_a_square_has_the_corners_of_the_paper) {
-    const bmr_vec2 points[] = {{2, 0}, {0, 1}, {-2, 0}, {0, -1}};
-    own_polygon *p = made_polygon(points, 4);
-    own_hierarchy *h = built_soundly(BMR_HIERARCHY_DOBKIN_KIRKPATRICK, p);
-    assert_int_equal(bmr_hierarchy_edge_count(h), 8);
-    const bmr_corner top = bmr_hierarchy_extreme(h, bmr_vec2_make(1, 1), 0);
-    assert_true(top.before == 0 && top.after == 1 && top.cut == 4);
-    const bmr_vec2 apex = bmr_hierarchy_apex(h, top.cut);
-    assert_true(apex.x == 2 && apex.y == 1);
-    assert_true(fabs(bmr_hierarchy_height(h, top.cut) - 2.0 / sqrt(5.0)) < 1e-15);
-    assert_true(bmr_hierarchy_height(h, 0) == 0.0 && bmr_hierarchy_apex(h, 0).x == 0.0);
-    const bmr_line line = bmr_hierarchy_line(h, top.cut);
-    assert_true(fabs(line.offset - 2.0 / sqrt(5.0)) < 1e-15 && fabs(line.normal.y - 2.0 / sqrt(5.0)) < 1e-15);
-    const bmr_boomerang b = bmr_hierarchy_boomerang(h, top.cut);
-    assert_true(b.outer_before == 0 && b.outer_after == 1 && b.level == 1);
-    assert_true(b.child_before == BMR_NO_EDGE && b.child_after == BMR_NO_EDGE);
-    const bmr_boomerang east = bmr_hierarchy_boomerang(h, 0);
-    assert_true(east.outer_before == 3 && east.outer_after == 1 && east.child_before == 7 &&
-                east.child_after == 4);
-}
 
 TEST(edges_that_agree_within_the_merge_angle_become_one) {
     // The bottom edges are within 1e-12 radians of direction S, and of each other; and 5e-11 off.
@@ -193,16 +160,6 @@ TEST(audit_refuses_every_kind_of_damage) {
     }
 }
 
-TEST(audit_refuses_a_hierarchy_of_another_polygon) {
-    test_random random = {21};
-    own_polygon *p = test_polygon(TEST_CIRCLE, 40, &random), *q = test_polygon(TEST_CIRCLE, 40, &random);
-    for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
-        own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
-        h->polygon = q;
-        assert_refused(h);
-    }
-}
-
 // --- inflated hierarchies (section 6; entries and widest edges: tests/random/fuzz_hierarchy.cpp) ---
 
 TEST(offsets_shrink_by_the_ratio_and_levels_end_at_the_depth) {
@@ -223,36 +180,4 @@ TEST(offsets_shrink_by_the_ratio_and_levels_end_at_the_depth) {
     const bmr_inflation deep = bmr_inflation_make(8.0, 0.5, 0.5, 99);
     assert_int_equal(bmr_inflation_last(&deep, h), 0);
     assert_int_equal(bmr_inflation_level(&deep, h, 0), depth);
-}
-
-/// The largest height of a boomerang that the envelope of a level leaves uncut.
-static double envelope_height(const bmr_hierarchy *h, uint32_t level) {
-    double height = 0.0;
-    for (bmr_edge edge = BMR_ROOTS; edge < bmr_hierarchy_edge_count(h); ++edge)
-        if (bmr_hierarchy_level(h, edge) == level + 1)
-            height = fmax(height, bmr_hierarchy_height(h, edge));
-    return height;
-}
-
-/// Lemma compass (a), as section 6 uses it.
-TEST(compass_offsets_cover_the_heights) {
-    test_random random = {9};
-    bool half_is_needed = false;
-    for (size_t round = 0; round < test_scaled(3); ++round)
-        for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
-            for (size_t n = 4; n <= 256; n *= 4) {
-                own_polygon *p = test_polygon((test_family)family, n, &random);
-                own_hierarchy *h = test_hierarchy(BMR_HIERARCHY_COMPASS, p);
-                const double diameter = bmr_inflation_diameter(p);
-                assert_true(diameter >= test_diameter(p) * (1.0 - 1e-12));
-                assert_true(diameter <= test_diameter(p) * 1.1548);
-                const bmr_inflation half = bmr_inflation_make(diameter, 0.5, 0.5, 0);
-                for (uint32_t j = 0; j <= bmr_hierarchy_depth(h) && (1u << j) <= p->count; ++j) {
-                    const double height = envelope_height(h, j);
-                    assert_true(height <= bmr_inflation_offset(&half, j) * (1.0 + 1e-9));
-                    // The control: with alpha a quarter it is false somewhere.
-                    half_is_needed = half_is_needed || height > 0.5 * bmr_inflation_offset(&half, j);
-                }
-            }
-    assert_true(half_is_needed);
 }

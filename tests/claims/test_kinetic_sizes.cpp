@@ -145,9 +145,11 @@ TEST_CASE("all that is made of the largest polygons fits 32 bits") {
     for (const size_t count : {size_t{BMR_MAX_VERTICES}, size_t{BMR_MAX_VERTICES} / 2}) { // the second: sums
         bmr_polygon *polygon = ellipse(count);
         bmr_hierarchy *made[BMR_HIERARCHY_KIND_COUNT] = {};
-        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
+        for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
             REQUIRE(bmr_hierarchy_build(static_cast<bmr_hierarchy_kind>(kind), polygon, compass, memory,
                                         &made[kind]) == BMR_OK);
+            CHECK(bmr_hierarchy_audit(made[kind]) == BMR_OK);
+        }
         const bmr_shape shape = {polygon, {made[0], made[1], made[2]}, {}};
         bmr_polygon *difference = nullptr;
         if (bmr_minkowski_difference(polygon, polygon, {1.0, 0.0}, memory, &difference) == BMR_OK)

@@ -51,6 +51,9 @@ void CheckSizes(const bmr_hierarchy *h) {
     FUZZ_CHECK(bmr_hierarchy_depth(h) <= depths[kind], "kind %d of %u vertices: depth %u", kind, n,
                bmr_hierarchy_depth(h));
     FUZZ_CHECK(edges <= counts[kind], "kind %d of %u vertices: %u edges", kind, n, edges);
+    const double diameter = bmr_inflation_diameter(p), truth = test_diameter(p);
+    FUZZ_CHECK(diameter >= truth * (1.0 - 1e-12) && diameter <= truth * 1.1548, "diameter %g, really %g",
+               diameter, truth);
     FUZZ_CHECK(n < 64 || bmr_hierarchy_bytes(h) + bmr_polygon_bytes(n) <= 160 * size_t{n}, "%zu bytes for %u",
                bmr_hierarchy_bytes(h), n);
 }
