@@ -46,27 +46,6 @@ AS_STOCK("returning: a filter puts a body out of the world that is about to get 
     }
 }
 
-AS_STOCK("places: a filter puts a body out of the world whose proxies have lower numbers than the floor's") {
-    Game game(run);
-    // Their places in the tree are given again to what comes later.
-    std::vector<b2Body *> first;
-    for (int i = 0; i < 300; ++i)
-        first.push_back(game.Box({100.0f + 3.0f * Real(i), 0.0f}, {0.1f, 0.1f}));
-    game.Wall({0.0f, 0.0f}, {40.0f, 1.0f});
-    for (b2Body *body : first)
-        game.world.DestroyBody(body);
-    game.Step();
-    for (int round = 0; round < 6; ++round) {
-        for (int i = 0; i < 40; ++i)
-            game.Box({2.0f * Real(i) - 39.0f, 0.5f + 0.1f * Real(round)}, {0.05f, 0.05f});
-        b2Body *wheel = game.Wheel({4.0f * Real(round) - 12.0f, 0.5f}, 7, 0.4f);
-        PutOutWhenAsked(game, wheel);
-        game.Step();
-        game.Stage(!wheel->IsEnabled(), "the filter puts it out");
-        game.world.DestroyBody(wheel);
-    }
-}
-
 // Nobody may take a contact that is about to end for that of the one that came later.
 AS_STOCK(
     "proxies: while the contacts end of a body that is put out of the world, another one gets its places "

@@ -49,20 +49,6 @@ struct Range : Game {
 
 } // namespace
 
-// Box2D goes on at once.
-AS_STOCK("passed: a listener makes bullets of the shots, and disables the contact that it is told of") {
-    Range range(run);
-    range.Throw(180.0f, 240.0f);
-    int passed = 0;
-    range.listener.begin.Once([&range, &passed](b2Contact *contact) {
-        contact->SetEnabled(false);
-        Range::MakeBullets(range.shots);
-        ++passed;
-    });
-    range.Step(4);
-    range.TookPlace(passed, "a contact is disabled as it begins");
-}
-
 AS_STOCK("halved: a listener has the step end with the first impact; between steps sub-stepping is over") {
     Range range(run);
     range.Shoot(180.0f, 240.0f);
@@ -99,33 +85,6 @@ AS_STOCK("pausing: between two sub-steps a game disables a contact whose impact 
     }
     game.Step(20);
     game.TookPlace(disabled, "a contact is disabled between two sub-steps");
-}
-
-// It is on its way back from the first wall, to a second one, as the loop over contacts passes it.
-AS_STOCK("dozing: between two sub-steps a shot falls asleep, and the next listener wakes it") {
-    Game game(run);
-    game.Listen();
-    game.Awake({40.0f, 0.0f});
-    game.Awake({40.9f, 0.0f}); // they overlap, and call the listener in every step
-    for (int i = 0; i < 12; ++i)
-        game.Near({80.0f, 4.0f * Real(i)});
-    game.Step(2);
-    for (const float x : {-0.6f, 0.6f})
-        game.Wall({x, 0.0f}, {0.1f, 1.0f});
-    b2Body *const shot = game.Awake({0.3f, 0.0f}, {0.1f, 0.1f});
-    shot->GetFixtureList()->SetRestitution(1.0f);
-    game.Step(2);
-    game.world.SetSubStepping(true);
-    shot->SetLinearVelocity({110.0f, 0.0f});
-    game.Step();
-    shot->SetAwake(false);
-    int woken = 0;
-    game.listener.preSolve.Once([shot, &woken] {
-        woken += shot->IsAwake() ? 0 : 1;
-        shot->SetAwake(true);
-    });
-    game.Step(20);
-    game.TookPlace(woken, "the listener wakes the shot");
 }
 
 // A filter is asked about these.

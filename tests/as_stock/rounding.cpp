@@ -88,20 +88,6 @@ AS_STOCK_HOW(kMayBeSilent, "turned: PostSolve changes how a thread is rounded, a
     }
 }
 
-// Nothing moves bodies without mass, whose impulses would be divided by zero.
-AS_STOCK("trapped: a program sets traps, and bodies without mass are deep in each other") {
-    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
-    Game game(run, {0.0f, -10.0f});
-    game.Wall({0.0f, -0.4f}, {20.0f, 0.5f});
-    for (int i = 0; i < 16; ++i) {
-        b2Body *const body = game.Awake({0.8f * Real(i) - 6.0f, 0.3f});
-        body->GetFixtureList()->SetDensity(0.0f);
-        body->ResetMassData();
-    }
-    game.Step(20);
-    game.TookPlace(game.Touching(), "bodies without mass touch");
-}
-
 // What is lost in each step is lost often.
 AS_STOCK("slow: needles turn by next to nothing in each step, until they meet") {
     for (const float out : {0.0f, 600.0f}) {
