@@ -43,8 +43,8 @@ Figure PerStep(const Figure &figure) {
     };
 }
 
-Figure PerStep(Summary summary, const std::string &name) {
-    return PerStep(Sum(summary, {name}));
+Figure PerStep(Summary summary, const std::vector<std::string> &names) {
+    return PerStep(Sum(summary, names));
 }
 
 Figure Percent(const Figure &part, const Figure &whole) {
@@ -90,43 +90,37 @@ std::vector<double> Column(const std::vector<nlohmann::json> &summaries, const c
     return values;
 }
 
-/// The middle value, or the mean of the two in the middle.
-Number Median(std::vector<double> values) {
+/// The value at this share of the way from the least to the greatest: at 0.5 the median, the mean of two if
+/// two are in the middle.
+Number Quantile(std::vector<double> values, double share) {
     if (values.empty())
         return std::nullopt;
     std::sort(values.begin(), values.end());
-    const size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+    const double place = share * static_cast<double>(values.size() - 1);
+    return 0.5 *
+           (values[static_cast<size_t>(std::floor(place))] + values[static_cast<size_t>(std::ceil(place))]);
 }
 
 Figure Microseconds(Times times, const char *time) {
     const double factor = time == kNarrowPhase ? kFromMilliseconds : kFromNanoseconds;
     return PerStep([=](const SceneResult &result) {
-        const Number median = Median(Column(result.*times, time));
+        const Number median = Quantile(Column(result.*times, time), 0.5);
         return median ? *median * factor : median;
     });
 }
 
-/// Stock over the plugin, run by run.
-std::vector<double> Ratios(const SceneResult &result, const char *time) {
-    const std::vector<double> stock = Column(result.stockTimes, time),
-                              plugin = Column(result.pluginTimes, time);
-    std::vector<double> ratios;
-    for (size_t i = 0; i < std::min(stock.size(), plugin.size()); ++i)
-        if (plugin[i] > 0.0)
-            ratios.push_back(stock[i] / plugin[i]);
-    return ratios;
-}
-
-Figure Ratio(const char *time) {
-    return [=](const SceneResult &result) { return Median(Ratios(result, time)); };
-}
-
-/// The least of the pairs of runs of the plugin, and the greatest.
-Number Extreme(const SceneResult &result, bool greatest) {
-    std::vector<double> ratios = Ratios(result, kWholeStep);
-    std::sort(ratios.begin(), ratios.end());
-    return ratios.empty() ? Number() : greatest ? ratios.back() : ratios.front();
+/// Stock over the plugin, pair of runs by pair of runs: the least of them (0), the median or the greatest
+/// (1).
+Figure Ratio(const char *time, double share = 0.5) {
+    return [=](const SceneResult &result) {
+        const std::vector<double> stock = Column(result.stockTimes, time),
+                                  plugin = Column(result.pluginTimes, time);
+        std::vector<double> ratios;
+        for (size_t i = 0; i < std::min(stock.size(), plugin.size()); ++i)
+            if (plugin[i] > 0.0)
+                ratios.push_back(stock[i] / plugin[i]);
+        return Quantile(std::move(ratios), share);
+    };
 }
 
 Number MeanRatio(const std::vector<SceneResult> &results, const char *time) {
@@ -150,7 +144,6 @@ struct SceneColumn {
     const char *group, *name;
     Figure figure;
     int decimals;
-    bool brief = false; ///< shown beside the verdicts, too
 };
 
 /// A table of scenes.
@@ -166,14 +159,14 @@ SceneTable TestTable() {
         {
             {"", "bodies", Sum(kStockCount, {"bodies"}), 0},
             {"", "contacts", Sum(kStockCount, {"contacts"}), 0},
-            {"polygon tests", "stock", PerStep(kStockCount, "polygon_tests"), 1},
-            {"polygon tests", "plugin", PerStep(kPluginCount, "polygon_tests"), 1},
-            {"of them apart", "stock", PerStep(kStockCount, "polygon_tests_apart"), 1},
+            {"polygon tests", "stock", PerStep(kStockCount, {"polygon_tests"}), 1},
+            {"polygon tests", "plugin", PerStep(kPluginCount, {"polygon_tests"}), 1},
+            {"of them apart", "stock", PerStep(kStockCount, {"polygon_tests_apart"}), 1},
             {"of them apart", "saved %", Percent(SavedTests, Sum(kStockCount, {"polygon_tests_apart"})), 1},
-            {"TOI calls", "stock", PerStep(kStockCount, "toi_calls"), 1},
-            {"TOI calls", "plugin", PerStep(kPluginCount, "toi_calls"), 1},
-            {"b2Distance", "stock", PerStep(kStockCount, "distance_calls"), 1},
-            {"b2Distance", "plugin", PerStep(kPluginCount, "distance_calls"), 1},
+            {"TOI calls", "stock", PerStep(kStockCount, {"toi_calls"}), 1},
+            {"TOI calls", "plugin", PerStep(kPluginCount, {"toi_calls"}), 1},
+            {"b2Distance", "stock", PerStep(kStockCount, {"distance_calls"}), 1},
+            {"b2Distance", "plugin", PerStep(kPluginCount, {"distance_calls"}), 1},
         },
         {
             "contacts: pairs whose fat boxes overlap, mean per step; polygon tests: b2CollidePolygons; "
@@ -187,12 +180,12 @@ SceneTable BudgetTable() {
     return {
         "How kinetic the world is: pairs and which were updated, per step",
         {
-            {"budgets of motion", "pairs", PerStep(kPluginCount, "plugin/pairs"), 1},
-            {"budgets of motion", "renewed", PerStep(kPluginCount, "plugin/renewals"), 1},
-            {"budgets of motion", "updates", PerStep(kPluginCount, "plugin/updates"), 1},
+            {"budgets of motion", "pairs", PerStep(kPluginCount, {"plugin/pairs"}), 1},
+            {"budgets of motion", "renewed", PerStep(kPluginCount, {"plugin/renewals"}), 1},
+            {"budgets of motion", "updates", PerStep(kPluginCount, {"plugin/updates"}), 1},
             {"budgets of motion", "% updates",
              Percent(Sum(kPluginCount, {"plugin/updates"}), Sum(kPluginCount, {"plugin/pairs"})), 1},
-            {"of certificates", "events", PerStep(Sum(kPluginCount, EventNames())), 2},
+            {"of certificates", "events", PerStep(kPluginCount, EventNames()), 2},
             {"of certificates", "% events",
              Percent(Sum(kPluginCount, EventNames()), Sum(kPluginCount, {"plugin/pairs"})), 2},
         },
@@ -208,18 +201,18 @@ SceneTable EventTable() {
     return {
         "What the plugin did instead, per step",
         {
-            {"certificate checks", "edge", PerStep(kPluginCount, "plugin/edge_checks"), 1},
-            {"certificate checks", "hulls", PerStep(kPluginCount, "plugin/hull_checks"), 1},
-            {"events", "start", PerStep(kPluginCount, "plugin/events/start"), 2},
-            {"events", "stab", PerStep(kPluginCount, "plugin/events/stab"), 2},
-            {"events", "push", PerStep(kPluginCount, "plugin/events/push"), 2},
-            {"events", "roll", PerStep(kPluginCount, "plugin/events/roll"), 2},
-            {"events", "coarsen", PerStep(kPluginCount, "plugin/events/coarsen"), 2},
-            {"events", "contact", PerStep(kPluginCount, "plugin/events/contact"), 2},
-            {"events", "leave", PerStep(kPluginCount, "plugin/events/leave"), 2},
-            {"answers", "apart", PerStep(kPluginCount, "plugin/proved_apart"), 1},
-            {"answers", "reused", PerStep(kPluginCount, "plugin/verdicts_reused"), 1},
-            {"answers", "hand-over", PerStep(kPluginCount, "plugin/handed_over"), 1},
+            {"certificate checks", "edge", PerStep(kPluginCount, {"plugin/edge_checks"}), 1},
+            {"certificate checks", "hulls", PerStep(kPluginCount, {"plugin/hull_checks"}), 1},
+            {"events", "start", PerStep(kPluginCount, {"plugin/events/start"}), 2},
+            {"events", "stab", PerStep(kPluginCount, {"plugin/events/stab"}), 2},
+            {"events", "push", PerStep(kPluginCount, {"plugin/events/push"}), 2},
+            {"events", "roll", PerStep(kPluginCount, {"plugin/events/roll"}), 2},
+            {"events", "coarsen", PerStep(kPluginCount, {"plugin/events/coarsen"}), 2},
+            {"events", "contact", PerStep(kPluginCount, {"plugin/events/contact"}), 2},
+            {"events", "leave", PerStep(kPluginCount, {"plugin/events/leave"}), 2},
+            {"answers", "apart", PerStep(kPluginCount, {"plugin/proved_apart"}), 1},
+            {"answers", "reused", PerStep(kPluginCount, {"plugin/verdicts_reused"}), 1},
+            {"answers", "hand-over", PerStep(kPluginCount, {"plugin/handed_over"}), 1},
         },
         {
             "edge: one remembered edge asked again; hulls: certificates of --structure",
@@ -234,16 +227,16 @@ SceneTable ModeTable() {
     return {"Events of both modes beside Box2D's own distance calls, per step",
             {
                 {"stock Box2D", "tests",
-                 PerStep(Sum(kStockCount, {"polygon_tests", "overlap_calls", "toi_calls"})), 1},
-                {"stock Box2D", "b2Distance", PerStep(kStockCount, "distance_calls"), 1},
-                {"a line a contact", "pairs", PerStep(kLinesCount, "plugin/pairs"), 1},
-                {"a line a contact", "renewed", PerStep(kLinesCount, "plugin/renewals"), 1},
-                {"a line a contact", "updates", PerStep(kLinesCount, "plugin/updates"), 1},
-                {"a line a contact", "events", PerStep(Sum(kLinesCount, EventNames())), 2},
-                {"a structure a pair of bodies", "updates", PerStep(kPluginCount, "plugin/updates"), 1},
-                {"a structure a pair of bodies", "checks", PerStep(kPluginCount, "plugin/hull_checks"), 1},
-                {"a structure a pair of bodies", "events", PerStep(Sum(kPluginCount, EventNames())), 2},
-                {"a structure a pair of bodies", "exact", PerStep(kPluginCount, "plugin/handed_over"), 1},
+                 PerStep(kStockCount, {"polygon_tests", "overlap_calls", "toi_calls"}), 1},
+                {"stock Box2D", "b2Distance", PerStep(kStockCount, {"distance_calls"}), 1},
+                {"a line a contact", "pairs", PerStep(kLinesCount, {"plugin/pairs"}), 1},
+                {"a line a contact", "renewed", PerStep(kLinesCount, {"plugin/renewals"}), 1},
+                {"a line a contact", "updates", PerStep(kLinesCount, {"plugin/updates"}), 1},
+                {"a line a contact", "events", PerStep(kLinesCount, EventNames()), 2},
+                {"a structure a pair of bodies", "updates", PerStep(kPluginCount, {"plugin/updates"}), 1},
+                {"a structure a pair of bodies", "checks", PerStep(kPluginCount, {"plugin/hull_checks"}), 1},
+                {"a structure a pair of bodies", "events", PerStep(kPluginCount, EventNames()), 2},
+                {"a structure a pair of bodies", "exact", PerStep(kPluginCount, {"plugin/handed_over"}), 1},
             },
             {
                 "tests: b2CollidePolygons, b2TestOverlap and b2TimeOfImpact; b2Distance: within the last two",
@@ -253,23 +246,29 @@ SceneTable ModeTable() {
             }};
 }
 
+/// How long a step takes: shown beside the verdicts, too.
+const std::vector<SceneColumn> kStepColumns = {
+    {"whole step, us", "stock", Microseconds(kStockTimes, kWholeStep), 1},
+    {"whole step, us", "linked", Microseconds(kPluginTimes, kWholeStep), 1},
+    {kRatioGroup, "linked", Ratio(kWholeStep), 2},
+    {kRatioGroup, "from", Ratio(kWholeStep, 0.0), 2},
+    {kRatioGroup, "to", Ratio(kWholeStep, 1.0), 2},
+};
+
 /// Medians of so many runs.
 SceneTable TimeTable(int repeat) {
-    return {
+    SceneTable table = {
         "Time per step",
         {
             {"narrow phase, us", "stock", Microseconds(kStockTimes, kNarrowPhase), 1},
             {"narrow phase, us", "linked", Microseconds(kPluginTimes, kNarrowPhase), 1},
             {"narrow phase, us", "ratio", Ratio(kNarrowPhase), 2},
-            {"whole step, us", "stock", Microseconds(kStockTimes, kWholeStep), 1, true},
-            {"whole step, us", "linked", Microseconds(kPluginTimes, kWholeStep), 1, true},
-            {kRatioGroup, "linked", Ratio(kWholeStep), 2, true},
-            {kRatioGroup, "from", [](const SceneResult &result) { return Extreme(result, false); }, 2, true},
-            {kRatioGroup, "to", [](const SceneResult &result) { return Extreme(result, true); }, 2, true},
         },
         {"time: median of " + std::to_string(repeat) +
              " runs; ratio: stock / plugin, the median over pairs of runs; above 1 the plugin is faster",
          "from, to: the least and the greatest of the pairs, linked: a difference within them is noise"}};
+    table.columns.insert(table.columns.end(), kStepColumns.begin(), kStepColumns.end());
+    return table;
 }
 
 /// What the ways to have the plugin at work are called, and what "bits" are.
@@ -319,11 +318,7 @@ void PrintVerdicts(std::ostream &out, const std::vector<SceneResult> &results, c
     for (const Side side : sides)
         table.AddColumn("bits, against stock's", NameOf(side));
     table.AddColumn("", "all");
-    SceneTable times = TimeTable(options.repeat);
-    auto &columns = times.columns;
-    columns.erase(std::remove_if(columns.begin(), columns.end(),
-                                 [&](const SceneColumn &column) { return !options.time || !column.brief; }),
-                  columns.end());
+    const std::vector<SceneColumn> columns = options.time ? kStepColumns : std::vector<SceneColumn>();
     for (const SceneColumn &column : columns)
         table.AddColumn(column.group, column.name);
     for (const SceneResult &result : results) {
@@ -361,7 +356,6 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
     };
     out << '\n';
     PrintVerdicts(out, results, options, colour);
-    const SceneTable times = TimeTable(options.repeat);
     if (!details) {
         out << '\n'
             << Styled("--details: calls of Box2D, budgets, events and times, and what the columns mean",
@@ -373,7 +367,7 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
     if (!options.worker.structure.empty())
         tables.push_back(ModeTable());
     if (options.time)
-        tables.push_back(times);
+        tables.push_back(TimeTable(options.repeat));
     for (const SceneTable &table : tables)
         print(table);
     out << '\n';
@@ -387,8 +381,8 @@ void PrintQuestions(std::ostream &out, const std::vector<SceneResult> &results, 
     size_t counted = 0;
     std::string name;
     for (const SceneResult &result : results) {
-        const Number asked = PerStep(Sum(kStockCount, kQuestions))(result),
-                     happened = PerStep(Sum(kPluginCount, EventNames()))(result);
+        const Number asked = PerStep(kStockCount, kQuestions)(result),
+                     happened = PerStep(kPluginCount, EventNames())(result);
         if (!asked || !happened)
             continue;
         questions += *asked;

@@ -97,17 +97,13 @@ class Bag final : public Scene {
         AddThing(stage, stage.AddBody(b2_dynamicBody, at, stage.Rng().Uniform(-b2_pi, b2_pi)));
     }
 
-    /// One-sided, from right to left, so that its front is up.
     static void AddHills(Stage &stage) {
         constexpr float wall = 25.0f, halfWidth = 12.0f;
-        Outline hills{{halfWidth, wall}};
-        for (float x = halfWidth; x >= -halfWidth; x -= 0.5f)
+        Outline hills{{-halfWidth, wall}};
+        for (float x = -halfWidth; x <= halfWidth; x += 0.5f)
             hills.push_back({x, 1.2f * std::cos(0.8f * x) + 0.02f * x * x});
-        hills.push_back({-halfWidth, wall});
-        b2ChainShape chain;
-        chain.CreateChain(hills.data(), static_cast<int32>(hills.size()), hills.front() + b2Vec2(0.0f, 1.0f),
-                          hills.back() + b2Vec2(0.0f, 1.0f));
-        stage.AddFixture(stage.AddBody(b2_staticBody, {0.0f, 0.0f}), chain, 0.0f);
+        hills.push_back({halfWidth, wall});
+        AddChain(stage, hills);
     }
 
     static void AddThing(Stage &stage, b2Body *body) {
