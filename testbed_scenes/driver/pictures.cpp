@@ -154,17 +154,19 @@ void PictureSeries::ReadRange() {
         m_first = m_last = *m_request.step;
         return;
     }
-    long long first = 0, last = 0, every = 1;
-    char rest = 0;
-    const int read = std::sscanf(m_request.frames.c_str(), "%lld:%lld:%lld%c", &first, &last, &every, &rest);
-    const bool isWhole = read == 3 || (read == 2 && m_request.frames.back() != ':');
-    constexpr long long kMost = 100000000;
-    if (!isWhole || first < 0 || last < first || last > kMost || every < 1)
-        throw UsageError("--frames: FIRST:LAST or FIRST:LAST:EVERY is wanted, with 0 <= FIRST <= LAST <= " +
-                         std::to_string(kMost) + ", not \"" + m_request.frames + "\"");
-    m_first = first;
-    m_every = every;
-    m_last = last - (last - first) % every; // steps after the last picture are left out
+    constexpr double kMost = 100000000;
+    const std::string wanted =
+        "FIRST:LAST or FIRST:LAST:EVERY is wanted, with 0 <= FIRST <= LAST <= 100000000";
+    std::vector<double> numbers =
+        NumbersIn(m_request.frames, ':', 0.0, kMost, "--frames", "whole number; " + wanted, true);
+    if (numbers.size() == 2)
+        numbers.push_back(1.0);
+    if (numbers.size() != 3 || numbers[1] < numbers[0] || numbers[2] < 1.0)
+        throw UsageError("--frames: " + wanted + ", not \"" + m_request.frames + "\"");
+    m_first = static_cast<int64_t>(numbers[0]);
+    m_last = static_cast<int64_t>(numbers[1]);
+    m_every = static_cast<int64_t>(numbers[2]);
+    m_last -= (m_last - m_first) % m_every; // steps after the last picture are left out
 }
 
 void PictureSeries::CheckLast(const std::string &name, int64_t last) const {

@@ -284,8 +284,7 @@ WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
     if (!command.pictures.output.empty()) {
         options.slices = StepsOf(command, setup.choice);
         series.emplace(command.pictures, PictureSource::World);
-        options.onContact = [&](const bmr_contact &contact) { frames.Add(contact); };
-        options.onEvent = [&](const bmr_world_event &event) { frames.Add(event); };
+        options.frames = &frames;
     }
     options.onSlice = [&](const WorldRun &run, double part) {
         if (series)

@@ -143,10 +143,8 @@ void DrawJoints(Canvas &canvas, const WorldView &world, double unit) {
 void DrawBoxes(Canvas &canvas, const WorldView &world, double unit) {
     const Pen pen = {style::kBox, 0.8 * unit, 0.6, {1.0 * unit, 3.0 * unit}};
     for (const shown::Box &box : world.Frame().boxes) {
-        const auto corner = [](float x, float y) { return ToVec2({x, y}); };
-        canvas.Polygon({corner(box.left, box.bottom), corner(box.right, box.bottom),
-                        corner(box.right, box.top), corner(box.left, box.top)},
-                       {}, pen);
+        const bmr_vec2 low = ToVec2({box.left, box.bottom}), high = ToVec2({box.right, box.top});
+        canvas.Box({low.x, low.y, high.x, high.y}, {}, pen);
     }
 }
 

@@ -178,27 +178,19 @@ std::vector<Explained> Explain(const WorldView &world, const PictureOptions &opt
 void DrawOutlines(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit) {
     const Pen hull = {style::kHull, 1.1 * unit, 0.85, {6.0 * unit, 3.0 * unit}};
     const Pen envelope = {style::kEnvelope, 1.4 * unit, 0.95, {1.5 * unit, 3.5 * unit}};
-    std::set<int> drawn = {0};
-    const auto draw = [&](const std::array<int, 2> &ids, const Pen &pen) {
-        for (const int id : ids) {
-            const shown::Outline *outline = world.FindOutline(id);
-            if (drawn.insert(id).second && outline != nullptr)
-                canvas.Polygon(world.ToWorld(outline->body, outline->points), {}, pen);
-        }
+    const auto draw = [&](std::array<int, 2> Proof::*ids, const Pen &pen) {
+        std::set<int> drawn = {0};
+        for (const Pair &pair : world.Frame().pairs)
+            for (const Proof &proof : pair.proofs)
+                for (const int id : proof.*ids)
+                    if (const shown::Outline *outline = world.FindOutline(id);
+                        IsInFocus(options, pair) && outline != nullptr && drawn.insert(id).second)
+                        canvas.Polygon(world.ToWorld(outline->body, outline->points), {}, pen);
     };
-    for (const Pair &pair : world.Frame().pairs) {
-        for (const Proof &proof : pair.proofs) {
-            if (options.layers.hulls && IsInFocus(options, pair))
-                draw(proof.hulls, hull);
-        }
-    }
-    drawn = {0}; // an envelope may be the hull itself
-    for (const Pair &pair : world.Frame().pairs) {
-        for (const Proof &proof : pair.proofs) {
-            if (options.layers.envelopes && IsInFocus(options, pair))
-                draw(proof.envelopes, envelope);
-        }
-    }
+    if (options.layers.hulls)
+        draw(&Proof::hulls, hull);
+    if (options.layers.envelopes)
+        draw(&Proof::envelopes, envelope);
 }
 
 void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit) {

@@ -7,6 +7,7 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 
 #include <dlfcn.h>
@@ -17,29 +18,19 @@
 namespace testbed {
 namespace {
 
-/// Calls since the process began; nothing where the counting library is not preloaded.
-std::optional<boomerang_counts> ReadCounts() {
+/// Calls since the process began, by name; none where the counting library is not preloaded.
+std::map<std::string, uint64_t> ReadCounts() {
     const auto read =
         reinterpret_cast<decltype(&boomerang_count_read)>(dlsym(RTLD_DEFAULT, "boomerang_count_read"));
     if (read == nullptr)
-        return std::nullopt;
+        return {};
     boomerang_counts counts = {};
     read(&counts);
-    return counts;
-}
-
-/// Calls of the whole run (`before`: those made before it), null where they are not counted.
-void AddCalls(nlohmann::json &json, const std::optional<boomerang_counts> &before) {
-    const std::optional<boomerang_counts> counts = ReadCounts();
-    const auto set = [&](const char *name, uint64_t boomerang_counts::*calls) {
-        json[name] =
-            counts && before ? nlohmann::json((*counts).*calls - (*before).*calls) : nlohmann::json();
-    };
-    set("polygon_tests", &boomerang_counts::polygon_tests);
-    set("polygon_tests_apart", &boomerang_counts::polygon_tests_apart);
-    set("toi_calls", &boomerang_counts::toi_calls);
-    set("distance_calls", &boomerang_counts::distance_calls);
-    set("overlap_calls", &boomerang_counts::overlap_calls);
+    return {{"polygon_tests", counts.polygon_tests},
+            {"polygon_tests_apart", counts.polygon_tests_apart},
+            {"toi_calls", counts.toi_calls},
+            {"distance_calls", counts.distance_calls},
+            {"overlap_calls", counts.overlap_calls}};
 }
 
 /// Gathers, step by step, what the last line of a run says.
@@ -47,12 +38,21 @@ class Summary {
 public:
     Summary(const SceneInfo &info, const Options &options) : m_info(info), m_options(options) {}
 
-    void AddStep(const b2World &world, long nanoseconds);
-    void AddHashes(const StateHashes &hashes);
+    void AddStep(const b2World &world, long nanoseconds) {
+        ++m_steps;
+        m_contacts += world.GetContactCount();
+        m_nanoseconds += nanoseconds;
+        m_collide += static_cast<double>(world.GetProfile().collide);
+    }
+    void AddHashes(const StateHashes &hashes) {
+        m_hash.Field("bodies", hashes.bodies);
+        m_hash.Field("contacts", hashes.contacts);
+        m_hash.Field("events", hashes.events);
+    }
 
     /// In every mode: scene, program, size, seed, steps (done), bodies, contacts (mean per step). Hash: hash.
-    /// Time: step_ns_total, collide_ms_total. Count: those of AddCalls; plugin (null for stock). Scenes with
-    /// polygons to choose: vertices, kind.
+    /// Time: step_ns_total, collide_ms_total. Count: those of ReadCounts, if any; plugin (null for stock).
+    /// Scenes with polygons to choose: vertices, kind.
     nlohmann::json ToJson(const b2World &world) const;
 
 private:
@@ -63,22 +63,9 @@ private:
     HashSink m_hash;
     long m_nanoseconds = 0;
     double m_collide = 0.0; ///< of Box2D's profile, in milliseconds
-    const std::optional<boomerang_counts> m_callsBefore =
-        ReadCounts(); ///< the plugin makes some when it is installed
+    /// The plugin makes some calls when it is installed.
+    const std::map<std::string, uint64_t> m_callsBefore = ReadCounts();
 };
-
-void Summary::AddStep(const b2World &world, long nanoseconds) {
-    ++m_steps;
-    m_contacts += world.GetContactCount();
-    m_nanoseconds += nanoseconds;
-    m_collide += static_cast<double>(world.GetProfile().collide);
-}
-
-void Summary::AddHashes(const StateHashes &hashes) {
-    m_hash.Field("bodies", hashes.bodies);
-    m_hash.Field("contacts", hashes.contacts);
-    m_hash.Field("events", hashes.events);
-}
 
 nlohmann::json Summary::ToJson(const b2World &world) const {
     const double steps = static_cast<double>(std::max(m_steps, 1L));
@@ -101,7 +88,8 @@ nlohmann::json Summary::ToJson(const b2World &world) const {
         break;
     }
     case Mode::Count:
-        AddCalls(json, m_callsBefore);
+        for (const auto &[name, calls] : ReadCounts())
+            json[name] = calls - m_callsBefore.at(name);
         json["plugin"] = PluginStatistics();
         break;
     case Mode::Time:

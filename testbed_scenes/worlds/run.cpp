@@ -40,9 +40,8 @@ std::string NameOf(bmr_body body) {
 
 } // namespace
 
-WorldRun::WorldRun(const WorldSetup &setup, ContactHandler onContact, EventHandler onEvent)
-    : m_setup(setup), m_onContact(std::move(onContact)), m_onEvent(std::move(onEvent)),
-      m_dice(setup.choice.seed + 1) {
+WorldRun::WorldRun(const WorldSetup &setup, WorldFrames *frames)
+    : m_setup(setup), m_frames(frames), m_dice(setup.choice.seed + 1) {
     const WorldChoice &choice = setup.choice;
     bmr_world_def def = bmr_default_world_def();
     Require(bmr_kds_find(choice.structure.c_str(), &def.structure), choice.structure);
@@ -54,10 +53,10 @@ WorldRun::WorldRun(const WorldSetup &setup, ContactHandler onContact, EventHandl
     def.zeno_speed = choice.zenoSpeed;
     def.all_pairs = choice.allPairs;
     def.context = this;
-    if (m_onContact)
+    if (m_frames != nullptr) {
         def.contact = Answer;
-    if (m_onEvent)
         def.observer = Observe;
+    }
     bmr_world *world = nullptr;
     Require(bmr_world_create(&def, 0.0, nullptr, &world), "the world");
     m_world.reset(world);
@@ -83,12 +82,12 @@ void WorldRun::AddBodies() {
 
 bmr_response WorldRun::Answer(void *context, bmr_world * /*world*/, const bmr_contact *contact) {
     auto *run = static_cast<WorldRun *>(context);
-    run->m_onContact(*contact);
+    run->m_frames->Add(*contact);
     return run->m_setup.choice.response;
 }
 
 void WorldRun::Observe(void *context, bmr_world * /*world*/, const bmr_world_event *event) {
-    static_cast<WorldRun *>(context)->m_onEvent(*event);
+    static_cast<WorldRun *>(context)->m_frames->Add(*event);
 }
 
 void WorldRun::AdvancePlain(double until) {
@@ -240,7 +239,7 @@ WorldFigures Measure(const WorldSetup &setup, const MeasureOptions &options) {
     figures.choice = setup.choice;
     figures.side = setup.high.x - setup.low.x;
     std::clock_t start = std::clock(); // of the processor, not on the wall
-    WorldRun run(setup, options.onContact, options.onEvent);
+    WorldRun run(setup, options.frames);
     std::clock_t spent = std::clock() - start;
     if (options.onSlice)
         options.onSlice(run, 0.0);

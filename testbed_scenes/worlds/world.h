@@ -99,14 +99,13 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+class WorldFrames;
+
 /// A kinetic world of a setup's bodies, whose numbers are their places in it. The setup must outlive it.
 class WorldRun {
 public:
-    using ContactHandler = std::function<void(const bmr_contact &)>;
-    using EventHandler = std::function<void(const bmr_world_event &)>;
-
-    /// The handlers may be empty. The world calls `onContact` for each contact, before it answers it.
-    explicit WorldRun(const WorldSetup &setup, ContactHandler onContact = {}, EventHandler onEvent = {});
+    /// The frames, if any, are told of each contact, before it is answered, and of each event.
+    explicit WorldRun(const WorldSetup &setup, WorldFrames *frames = nullptr);
     WorldRun(const WorldRun &) = delete;
     WorldRun &operator=(const WorldRun &) = delete;
 
@@ -144,8 +143,7 @@ private:
     void ChangePlan(bmr_body body);
 
     const WorldSetup &m_setup;
-    ContactHandler m_onContact;
-    EventHandler m_onEvent;
+    WorldFrames *m_frames;
     std::unique_ptr<bmr_world, Deleter> m_world;
     std::priority_queue<Plan> m_plans;
     uint64_t m_given = 0; ///< of them
@@ -174,8 +172,7 @@ struct MeasureOptions {
     /// Told at the beginning and after each slice how much is done, from 0 to 1. It is not part of what is
     /// timed.
     std::function<void(const WorldRun &, double part)> onSlice;
-    WorldRun::ContactHandler onContact;
-    WorldRun::EventHandler onEvent;
+    WorldFrames *frames = nullptr;
 };
 
 /// What a run came to.
