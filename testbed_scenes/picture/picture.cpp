@@ -30,7 +30,7 @@ public:
     /// Lays the entries out in rows of this width (of the page). One of a series explains what the whole
     /// series holds, without counts. A kinetic world has words of its own.
     Legend(Canvas &canvas, const WorldView &world, const PictureOptions &options, std::string title,
-                   double width, double unit)
+           double width, double unit)
         : m_canvas(canvas), m_options(options), m_kinetic(world.Frame().program == "world"), m_unit(unit),
           m_title(std::move(title)) {
         if (options.series)
@@ -45,9 +45,7 @@ public:
         LayOut(width);
     }
 
-    double Height() const {
-        return std::ceil((m_rows * kRow + kAround) * m_unit);
-    }
+    double Height() const { return std::ceil((m_rows * kRow + kAround) * m_unit); }
     /// Its upper left corner at `top`, on the page.
     void Draw(bmr_vec2 top) const {
         const auto middle = [&](int row) { return top.y - (0.5 * kAround + (row + 0.5) * kRow) * m_unit; };
@@ -57,8 +55,8 @@ public:
         for (const Entry &entry : m_entries) {
             const bmr_vec2 at = bmr_vec2_make(top.x + entry.left, middle(entry.row));
             entry.draw(at);
-            m_canvas.Text(at, entry.sample + kAfterSample * m_unit, -0.36 * size, entry.text, size, Align::Left,
-                          style::kText);
+            m_canvas.Text(at, entry.sample + kAfterSample * m_unit, -0.36 * size, entry.text, size,
+                          Align::Left, style::kText);
         }
     }
 
@@ -97,7 +95,8 @@ private:
                 if (isSensor)
                     dash = {3.0 * m_unit, 2.0 * m_unit};
                 m_canvas.Box({left.x, left.y - half, right, left.y + half},
-                             {colour, isSensor ? 0.0 : style::kFillOpacity}, {colour, 1.2 * m_unit, 1.0, dash});
+                             {colour, isSensor ? 0.0 : style::kFillOpacity},
+                             {colour, 1.2 * m_unit, 1.0, dash});
             });
         }
     }
@@ -144,7 +143,8 @@ private:
                                          bmr_vec2_make(left.x + kSample * m_unit, low),
                                          {colour, 3.5 * m_unit, 1.0, {}});
                         const bmr_vec2 vertex = bmr_vec2_make(left.x + 0.5 * kSample * m_unit, high);
-                        m_canvas.Segment(bmr_vec2_make(vertex.x, low), vertex, {colour, 1.2 * m_unit, 1.0, {}});
+                        m_canvas.Segment(bmr_vec2_make(vertex.x, low), vertex,
+                                         {colour, 1.2 * m_unit, 1.0, {}});
                         m_canvas.Dot(vertex, 2.4 * m_unit, colour);
                     });
             }
@@ -169,8 +169,8 @@ private:
         const std::size_t handedOver = m_contents.handedOver, points = m_contents.points;
         const bool counts = !m_options.series;
         if (m_options.layers.handedOver && handedOver != 0)
-            Add(counts ? "needed a manifold: " + Counted(handedOver, "pair", "pairs") : "needed a manifold", 11.0,
-                [this](bmr_vec2 left) {
+            Add(counts ? "needed a manifold: " + Counted(handedOver, "pair", "pairs") : "needed a manifold",
+                11.0, [this](bmr_vec2 left) {
                     const double half = 5.0 * m_unit;
                     const bmr_vec2 at = bmr_vec2_make(left.x + half, left.y);
                     m_canvas.Polygon({bmr_vec2_make(at.x - half, at.y), bmr_vec2_make(at.x, at.y - half),
@@ -221,8 +221,8 @@ private:
         double x =
             left + m_canvas.TextWidth(m_title, 1.15 * style::kTextSize * m_unit, true) + kAfterEntry * m_unit;
         for (Entry &entry : m_entries) {
-            const double needed =
-                entry.sample + kAfterSample * m_unit + m_canvas.TextWidth(entry.text, style::kTextSize * m_unit);
+            const double needed = entry.sample + kAfterSample * m_unit +
+                                  m_canvas.TextWidth(entry.text, style::kTextSize * m_unit);
             if (x + needed > right && x > left) {
                 x = left;
                 ++m_rows;

@@ -4,8 +4,8 @@
 // planet that holds what lies on it.
 #include <cmath>
 
-#include "any_size.h"
 #include "scene.h"
+#include "shapes.h"
 
 namespace testbed {
 namespace {

@@ -3,8 +3,8 @@
 // Polygons of any size among other things: bullets at thin targets, and a bag of everything on a chain.
 #include <cmath>
 
-#include "any_size.h"
 #include "scene.h"
+#include "shapes.h"
 
 namespace testbed {
 namespace {

@@ -4,8 +4,8 @@
 // belongs to one body.
 #include <algorithm>
 
-#include "any_size.h"
 #include "scene.h"
+#include "shapes.h"
 
 namespace testbed {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fstream>
 
-#include "any_size.h"
 #include "scene.h"
+#include "shapes.h"
 
 namespace testbed {
 namespace {

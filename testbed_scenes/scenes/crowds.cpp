@@ -4,8 +4,8 @@
 // nothing at all.
 #include <cmath>
 
-#include "any_size.h"
 #include "scene.h"
+#include "shapes.h"
 
 namespace testbed {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "any_size.h"
 #include "scene.h"
+#include "shapes.h"
 
 namespace testbed {
 namespace {

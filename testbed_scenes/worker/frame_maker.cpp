@@ -6,7 +6,7 @@
 
 #include <box2d/b2_distance.h>
 
-#include "any_size.h"
+#include "shapes.h"
 #include "stage.h"
 
 namespace testbed {

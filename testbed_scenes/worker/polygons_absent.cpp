@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stdexcept>
 
-#include "any_size.h"
+#include "shapes.h"
 
 namespace testbed {
 

@@ -3,7 +3,7 @@
 
 #include <boomerang/box2d.h>
 
-#include "any_size.h"
+#include "shapes.h"
 
 namespace testbed {
 
