@@ -29,11 +29,7 @@ static bmr_vec2 *vertices_of(bmr_polygon *block) {
     return (bmr_vec2 *)(void *)((char *)block + VERTICES_AT);
 }
 
-static bmr_error check_points(const bmr_vec2 *points, size_t count) {
-    if (count == 0)
-        return BMR_ERROR_NO_POINTS;
-    if (count > BMR_MAX_VERTICES)
-        return BMR_ERROR_TOO_MANY_POINTS;
+static bmr_error check_range(const bmr_vec2 *points, size_t count) {
     bmr_error error = BMR_OK;
     for (size_t i = 0; i < count; ++i) {
         if (!isfinite(points[i].x) || !isfinite(points[i].y))
@@ -42,6 +38,12 @@ static bmr_error check_points(const bmr_vec2 *points, size_t count) {
             error = BMR_ERROR_OUT_OF_RANGE;
     }
     return error;
+}
+
+static bmr_error check_points(const bmr_vec2 *points, size_t count) {
+    if (count == 0)
+        return BMR_ERROR_NO_POINTS;
+    return count > BMR_MAX_VERTICES ? BMR_ERROR_TOO_MANY_POINTS : check_range(points, count);
 }
 
 /// The larger side of the bounding box.
@@ -299,7 +301,7 @@ bmr_error bmr_polygon_audit(const bmr_polygon *polygon) {
         return BMR_ERROR_NULL_ARGUMENT;
     if (polygon->count == 0 || polygon->count > BMR_MAX_VERTICES)
         return BMR_ERROR_INVALID_STRUCTURE;
-    const bmr_error error = check_points(polygon->vertices, polygon->count);
+    const bmr_error error = check_range(polygon->vertices, polygon->count);
     if (error != BMR_OK)
         return error;
     if (polygon->count > 1 && box_side(polygon->vertices, polygon->count) < BMR_MIN_SIDE)
