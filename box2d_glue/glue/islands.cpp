@@ -115,8 +115,7 @@ void IslandPass::ClearFlags() {
     m_mayLink = !hasGear;
     // (Where Bodies finds who is awake it has put all bodies out of islands.)
     m_awakeAlone = m_table != nullptr && m_mayLink &&
-                   m_table->bodies.Follow(m_world->GetBodyList(), m_world->GetBodyCount()) &&
-                   m_table->bodies.FindAwake();
+                   m_table->bodies.FindAwake(m_world->GetBodyList(), m_world->GetBodyCount());
     for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         BodyInIsland::Clear(body);

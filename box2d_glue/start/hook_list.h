@@ -29,9 +29,7 @@
     HOOK(CreateJoint, b2World::CreateJoint, _ZN7b2World11CreateJointEPK10b2JointDef, kAny, b2Joint *,        \
          (b2World * world, const b2JointDef *def), world->BmrStockCreateJoint(def))                          \
     HOOK(DestroyJoint, b2World::DestroyJoint, _ZN7b2World12DestroyJointEP7b2Joint, kAny, void,               \
-         (b2World * world, b2Joint * joint), world->BmrStockDestroyJoint(joint))                             \
-    HOOK(DestroyBody, b2World::DestroyBody, _ZN7b2World11DestroyBodyEP6b2Body, kAny, void,                   \
-         (b2World * world, b2Body * body), world->BmrStockDestroyBody(body))
+         (b2World * world, b2Joint * joint), world->BmrStockDestroyJoint(joint))
 
 #define BMR_HOOKS_OF_b2_contact_manager(HOOK)                                                                \
     HOOK(FindNewContacts, b2ContactManager::FindNewContacts, _ZN16b2ContactManager15FindNewContactsEv,       \
@@ -40,10 +38,6 @@
          (b2ContactManager * manager, b2Contact * contact), manager->BmrStockDestroy(contact))
 
 #define BMR_HOOKS_OF_b2_fixture(HOOK)                                                                        \
-    HOOK(Synchronize, b2Fixture::Synchronize, _ZN9b2Fixture11SynchronizeEP12b2BroadPhaseRK11b2TransformS4_,  \
-         kHeard, void,                                                                                       \
-         (b2Fixture * fixture, b2BroadPhase * broadPhase, const b2Transform &xf1, const b2Transform &xf2),   \
-         fixture->BmrStockSynchronize(broadPhase, xf1, xf2))                                                 \
     HOOK(Refilter, b2Fixture::Refilter, _ZN9b2Fixture8RefilterEv, kAny, void, (b2Fixture * fixture),         \
          fixture->BmrStockRefilter())                                                                        \
     HOOK(SetFilterData, b2Fixture::SetFilterData, _ZN9b2Fixture13SetFilterDataERK8b2Filter, kAny, void,      \

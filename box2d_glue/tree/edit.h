@@ -10,8 +10,6 @@
 #include "tree/box.h"
 
 class b2Body;
-class b2BroadPhase;
-class b2Fixture;
 
 /// @file
 /// A leaf of a b2DynamicTree is moved as Box2D does it: every field of every node and the tree's own members
@@ -274,13 +272,8 @@ inline bool MoveHere(const b2DynamicTree &tree, int32 id, const b2AABB &aabb, co
     return true;
 }
 
-/// b2Fixture::Synchronize: after a step each fixture's box is set anew, around where it was and where it is,
-/// and its leaf of the tree moves if it must. Rounding is to nearest.
-void SynchronizeBoxes(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                      const b2Transform &xf2);
-
-/// b2Body::SynchronizeFixtures: the same of all its fixtures, from the beginning of its sweep on if it is
-/// awake. In any rounding.
+/// b2Body::SynchronizeFixtures: after a step the box of each fixture of the body is set anew, around where it
+/// was and where it is, and its leaf of the tree moves if it must. In any rounding.
 void SynchronizeBoxes(b2Body *body);
 
 } // namespace bmr::tree

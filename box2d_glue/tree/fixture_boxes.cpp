@@ -145,10 +145,9 @@ bool SynchronizeCorners(const b2Shape &shape, b2FixtureProxy *proxy, b2BroadPhas
     return true;
 }
 
-} // namespace
-
-void SynchronizeBoxes(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
-                      const b2Transform &xf2) {
+/// b2Fixture::Synchronize.
+void Synchronize(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Transform &xf1,
+                 const b2Transform &xf2) {
     const b2Shape &shape = *fixture->GetShape();
     const int32 count = FixtureAccess::ProxyCount(fixture);
     b2FixtureProxy *const proxies = FixtureAccess::Proxies(fixture);
@@ -163,6 +162,8 @@ void SynchronizeBoxes(b2Fixture *fixture, b2BroadPhase *broadPhase, const b2Tran
     }
 }
 
+} // namespace
+
 void SynchronizeBoxes(b2Body *body) {
     if (!RoundsToNearest()) {
         (body->*Named(SynchronizeFixtures()))();
@@ -176,7 +177,7 @@ void SynchronizeBoxes(b2Body *body) {
     }
     auto &manager = const_cast<b2ContactManager &>(body->GetWorld()->GetContactManager());
     for (b2Fixture *fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext())
-        SynchronizeBoxes(fixture, &manager.m_broadPhase, begin, body->GetTransform());
+        Synchronize(fixture, &manager.m_broadPhase, begin, body->GetTransform());
 }
 
 } // namespace bmr::tree

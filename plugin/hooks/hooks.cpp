@@ -22,7 +22,6 @@
 #include "hooks/stock.h"
 #include "shapes/big_polygons.h"
 #include "start/settings.h"
-#include "tree/edit.h"
 
 using namespace bmr;
 
@@ -50,20 +49,13 @@ void b2World::Step(float timeStep, int32 velocityIterations, int32 positionItera
         timed->End();
 }
 
-// The search for new pairs, and the boxes that it searches: in steps and outside of them, for every caller.
+// The search for new pairs, where a step is not ours.
 
 void b2ContactManager::FindNewContacts() {
     if (PassesRun(HookOf::FindNewContacts))
         bmr::FindNewContacts(this);
     else
         stock::FindNewContacts(this);
-}
-
-void b2Fixture::Synchronize(b2BroadPhase *broadPhase, const b2Transform &xf1, const b2Transform &xf2) {
-    if (PassesRun(HookOf::Synchronize) && RoundsToNearest())
-        tree::SynchronizeBoxes(this, broadPhase, xf1, xf2);
-    else
-        stock::Synchronize(this, broadPhase, xf1, xf2);
 }
 
 // What ends. A contact's record goes with it, and a world's table with the world.
@@ -78,12 +70,6 @@ void b2ContactManager::Destroy(b2Contact *contact) {
     if (contact->GetFixtureA()->GetBody()->GetWorld()->IsLocked())
         LeaveTable(this);
     EndContact(this, contact);
-}
-
-void b2World::DestroyBody(b2Body *body) {
-    if (PairTable *table = FindPairTable(&m_contactManager))
-        table->bodies.Forget(); // the list of bodies is another one
-    stock::DestroyBody(this, body);
 }
 
 void hooks::NoteWorldEnds(b2World *world) {

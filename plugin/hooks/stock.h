@@ -10,8 +10,6 @@
 #    include "interposed/real.h"
 #endif
 
-class b2BroadPhase;
-class b2Body;
 class b2Contact;
 class b2ContactManager;
 class b2Fixture;

@@ -43,6 +43,7 @@
     FUNCTION(_ZN6b2Body13ResetMassDataEv) \
     FUNCTION(_ZN6b2Body19SynchronizeFixturesEv) \
     FUNCTION(_ZN7b2World10CreateBodyEPK9b2BodyDef) \
+    FUNCTION(_ZN7b2World11DestroyBodyEP6b2Body) \
     FUNCTION(_ZN7b2WorldC1ERK6b2Vec2) \
     FUNCTION(_ZN7b2WorldD1Ev) \
     FUNCTION(_ZN9b2Contact6CreateEP9b2FixtureiS1_iP16b2BlockAllocator) \

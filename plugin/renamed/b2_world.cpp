@@ -47,7 +47,6 @@ void NoteWorldEnds(b2World *world);
 
 #define Step BmrStockStep
 #define CreateJoint BmrStockCreateJoint
-#define DestroyBody BmrStockDestroyBody
 #define ClearForces()                                                                                        \
     ClearForces();                                                                                           \
     void BmrStockDrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color &color);                 \
@@ -73,7 +72,6 @@ void NoteWorldEnds(b2World *world);
 #include BMR_BOX2D_SOURCE
 #undef Step
 #undef CreateJoint
-#undef DestroyBody
 #undef DrawShape
 #undef DestroyJoint
 #undef b2World

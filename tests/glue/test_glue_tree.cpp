@@ -201,7 +201,7 @@ namespace {
 
 using namespace bmr::tree;
 
-/// As b2Fixture::Synchronize does it: what is not done here is Box2D's.
+/// As a step does it: what is not done here is Box2D's.
 struct Ours : treeplay::OfBox2D {
     size_t here = 0, moved = 0, box2d = 0; ///< calls of Move; of those here, the ones that moved the leaf
 

@@ -16,16 +16,10 @@ namespace bmr {
 /// finds who is awake. Box2D walks over its list four times a step, asleep or not.
 class Bodies {
 public:
-    /// Takes in bodies that were made since; begins anew where one has gone. False if it is to be asked
-    /// again.
-    bool Follow(b2Body *newest, int32 count);
-    /// One has gone: the list of bodies is another one.
-    void Forget() { m_count = 0; }
-
     /// Who may be in an island of the step that begins: awake, and not static. Puts all others out of
-    /// islands. False, and not tried again for some steps, where too many are awake for a list of their
-    /// own to pay.
-    bool FindAwake();
+    /// islands. False, and not tried again for some steps, where the list of bodies is another one, or too
+    /// many are awake for a list of their own to pay. `newest` of `count` bodies begins Box2D's list.
+    bool FindAwake(b2Body *newest, int32 count);
     uint32_t AwakeCount() const { return m_awakeCount; }
     /// Newest first.
     b2Body *Awake(uint32_t i) const { return m_awake[i]; }
@@ -42,6 +36,8 @@ public:
     bool MayBeDisplaced() const { return m_displaced; }
 
 private:
+    void ReadList(b2Body *newest, uint32_t count);
+
     // In smaller worlds there is nothing to be gained; and where more than an eighth of the bodies is awake,
     // their own simulation is what a step costs.
     static constexpr uint32_t kFewBodies = 256, kMostAwakeOf = 8, kStepsToWait = 32;
@@ -51,44 +47,33 @@ private:
     bool m_alone = false, m_displaced = true;
 };
 
-inline bool Bodies::Follow(b2Body *newest, int32 count) {
-    const auto wanted = static_cast<uint32_t>(count);
-    if (wanted < kFewBodies)
-        return false;
-    if (m_waits > 0) {
-        --m_waits;
-        return false;
-    }
-    if (m_count > wanted)
-        m_count = 0;
-    if (m_count == wanted && m_bodies[m_count - 1] == newest)
-        return true;
-    m_bodies.Reserve(wanted);
-    // From the newest back to the last one that is known.
-    const b2Body *known = m_count > 0 && m_count < wanted ? m_bodies[m_count - 1] : nullptr;
-    b2Body *body = newest;
-    uint32_t i = wanted;
-    while (i > 0 && body != nullptr && body != known) {
-        m_bodies[--i] = body;
-        body = body->*Named(NextBody());
-    }
-    if (i != (known != nullptr ? m_count : 0u)) { // not as it was known
-        m_count = 0;
-        return false; // and the next step begins anew
-    }
-    m_count = wanted;
-    return true;
+inline void Bodies::ReadList(b2Body *newest, uint32_t count) {
+    m_bodies.Reserve(count);
+    m_count = count;
+    for (b2Body *body = newest; count > 0 && body != nullptr; body = body->*Named(NextBody()))
+        m_bodies[--count] = body;
 }
 
-inline bool Bodies::FindAwake() {
+inline bool Bodies::FindAwake(b2Body *newest, int32 count) {
     constexpr uint32_t kAhead = 8;
+    const auto wanted = static_cast<uint32_t>(count);
     m_awakeCount = 0;
+    if (wanted < kFewBodies || (m_waits > 0 && m_waits-- > 0))
+        return false;
+    if (m_count != wanted)
+        ReadList(newest, wanted);
     const uint32_t most = m_count / kMostAwakeOf;
     m_awake.Reserve(most + 1);
+    const b2Body *next = newest;
     for (uint32_t i = m_count; i-- > 0;) {
         if (i >= kAhead)
             BMR_PREFETCH(m_bodies[i - kAhead]);
         b2Body *const body = m_bodies[i];
+        if (body != next) { // some have gone, and others were made
+            m_count = 0;
+            return false;
+        }
+        next = body->GetNext();
         if (BodyInIsland::Is(body))
             BodyInIsland::Clear(body);
         if (!body->IsAwake() || body->GetType() == b2_staticBody)
