@@ -9,8 +9,6 @@
 
 static const bmr_vec2 origin = {0.0, 0.0};
 static const double bad_numbers[] = {NAN, INFINITY, -INFINITY, DBL_MAX, -DBL_MAX, 1e300};
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
 static bmr_pose pose_at(double x, double y) {
     const bmr_pose pose = {{x, y}, 1.0, 0.0};
     return pose;
@@ -59,7 +57,7 @@ TEST(there_is_no_line_of_what_no_line_holds) {
     assert_true(is_none(line_of(&two, bmr_vec2_make(0x1p-501, 0.0), 0x1p-498)));
     assert_true(is_none(line_of(&two, bmr_vec2_make(0x1p501, 0.0), 0x1p504)));
     assert_true(is_none(line_of(&two, bmr_vec2_make(1e-320, 1e-320), 8.0)));
-    for (size_t i = 0; i < COUNT(bad_numbers); ++i) {
+    for (size_t i = 0; i < COUNT_OF(bad_numbers); ++i) {
         const double bad = bad_numbers[i];
         assert_true(is_none(line_of(&two, bmr_vec2_make(bad, 0.0), 8.0)));
         assert_true(is_none(line_of(&two, bmr_vec2_make(0.0, bad), 8.0)));

@@ -55,12 +55,10 @@ static seen offsets_of(const stage *s, double scale) {
 static const bmr_family translations[] = {BMR_FAMILY_LINE, BMR_FAMILY_ORBIT, BMR_FAMILY_ZIGZAG,
                                           BMR_FAMILY_WANDER};
 static const bmr_family rotations[] = {BMR_FAMILY_SPIN, BMR_FAMILY_TUMBLE, BMR_FAMILY_RIGID_WANDER};
-#define COUNT(list) (sizeof(list) / sizeof *(list))
-
 /// Section 6, two polygons: the new edge is of the inflated envelope that holds the vertex.
 TEST(the_slack_after_a_selection_is_at_least_the_offset) {
     double doubled = INFINITY;
-    for (size_t f = 0; f < COUNT(translations); ++f) {
+    for (size_t f = 0; f < COUNT_OF(translations); ++f) {
         own_stage s = set(translations[f], 7 + f);
         seen all = offsets_of(&s, 1.0), control = offsets_of(&s, 2.0);
         look_at(&bmr_kds_inflated_translation, &s, &all);
@@ -78,7 +76,7 @@ static const double beta = 4.82842712474619, kappa = 10.65685424949238;
 
 /// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
 TEST(events_are_as_far_apart_as_the_lemma_says) {
-    for (size_t f = 0; f < COUNT(translations); ++f) {
+    for (size_t f = 0; f < COUNT_OF(translations); ++f) {
         own_stage s = set(translations[f], 3 + f);
         const bmr_run inflated = plain_run_of(&s, &bmr_kds_inflated_translation);
         const bmr_run free = plain_run_of(&s, &bmr_kds_free_fd2);
@@ -94,7 +92,7 @@ TEST(events_are_as_far_apart_as_the_lemma_says) {
 
 /// Theorem 6.2: no more events than the least kappa-clear decomposition, kappa = 2 beta + 1.
 TEST(events_are_no_more_than_a_clear_decomposition) {
-    for (size_t f = 0; f < COUNT(translations); ++f) {
+    for (size_t f = 0; f < COUNT_OF(translations); ++f) {
         own_stage s = set(translations[f], 11 + f);
         bmr_clear clear, clear3;
         assert_int_equal(bmr_clear_decomposition(&s.course, kappa, 0.0, &clear), BMR_OK);
@@ -114,7 +112,7 @@ TEST(events_are_no_more_than_a_clear_decomposition) {
 /// Section 6, rotational hysteresis: after an event P moves Omega(d) or turns by Omega(d/D).
 TEST(events_are_apart_in_position_or_rotation) {
     double without = INFINITY;
-    for (size_t f = 0; f < COUNT(rotations); ++f) {
+    for (size_t f = 0; f < COUNT_OF(rotations); ++f) {
         own_stage s = set(rotations[f], 5 + f);
         const bmr_run window = plain_run_of(&s, &bmr_kds_inflated_window);
         const bmr_run fd2 = plain_run_of(&s, &bmr_kds_free_fd2);
@@ -168,8 +166,8 @@ static double least_after_repairs(const bmr_family *family, size_t count, double
 TEST(two_lines_have_hysteresis_from_a_repair_to_the_next_failure) {
     double of_any = INFINITY;
     unsigned handovers = 0;
-    const double moved = least_after_repairs(translations, COUNT(translations), &of_any, &handovers);
-    const double turned = least_after_repairs(rotations, COUNT(rotations), &of_any, &handovers);
+    const double moved = least_after_repairs(translations, COUNT_OF(translations), &of_any, &handovers);
+    const double turned = least_after_repairs(rotations, COUNT_OF(rotations), &of_any, &handovers);
     assert_true(handovers > 0);
     assert_true(moved >= 1.0 - 1e-3);
     assert_true(turned >= LEAST_RHO);
@@ -217,7 +215,7 @@ TEST(events_of_rigid_motions_are_no_more_than_a_clear_decomposition) {
     const bmr_kds_info *const structures[] = {&bmr_kds_inflated_window, &bmr_kds_free_fd2, &bmr_kds_hybrid,
                                               &bmr_kds_two_lines};
     bool beyond = false;
-    for (size_t f = 0; f < COUNT(families); ++f) {
+    for (size_t f = 0; f < COUNT_OF(families); ++f) {
         own_stage s = rigid(families[f], 13 + f);
         bmr_clear clear;
         assert_int_equal(bmr_clear_decomposition(&s.course, kappa_turning, s.motion.diameter, &clear),

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Section 6's tuning remark, beta towards 1 and kappa towards 3, for polygons with sharp corners: it holds
 // where the root polygon has edges of length zero there, and fails at every corner without them.
-#include "boomerang/analysis.h"
-#include "boomerang/families.h"
 #include "checks.h"
+#include "course_stage.h"
 #include "kds/registry.h"
-#include "kds_driver.h"
 #include "motions.h"
-
-#define COUNT(list) (sizeof(list) / sizeof *(list))
 
 /// The tuning: 4 * 2^5 directions at the root, offsets that shrink by 0.95.
 #define ROOT_LEVEL 5
@@ -26,14 +22,11 @@ static const char *const shape_names[SHAPES] = {"square", "triangle", "needle", 
 static bmr_polygon *polygon_of(shape of, test_random *random) {
     const bmr_vec2 square[] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
     const bmr_vec2 triangle[] = {{-0.6, -0.3}, {0.7, -0.2}, {0.1, 0.8}};
-    bmr_polygon *made = NULL;
     switch (of) {
     case SQUARE:
-        assert_int_equal(bmr_polygon_create(square, 4, NULL, &made), BMR_OK);
-        return made;
+        return made_polygon(square, 4);
     case TRIANGLE:
-        assert_int_equal(bmr_polygon_create(triangle, 3, NULL, &made), BMR_OK);
-        return made;
+        return made_polygon(triangle, 3);
     case NEEDLE:
         return test_polygon(TEST_NEEDLE, 24, random);
     case RANDOM:
@@ -104,7 +97,7 @@ static double least_slack(const char *name, shape of, uint32_t corner_levels) {
 TEST(the_slack_is_the_distance_over_beta_at_sharp_corners_too) {
     const char *const names[] = {"point-inflated-compass", "point-complex", "inflated-translation",
                                  "inflated-window"};
-    for (size_t i = 0; i < COUNT(names); ++i)
+    for (size_t i = 0; i < COUNT_OF(names); ++i)
         for (int of = 0; of < SHAPES; ++of) {
             const double with = least_slack(names[i], (shape)of, ROOT_LEVEL),
                          without = least_slack(names[i], (shape)of, 0);
@@ -116,30 +109,12 @@ TEST(the_slack_is_the_distance_over_beta_at_sharp_corners_too) {
         }
 }
 
-/// A run of a tuned structure along a motion past two polygons alike.
-typedef struct outcome {
-    bmr_run run;
-    bmr_clear clear;
-} outcome;
-
-static outcome run_of(const bmr_kds_info *info, shape of, bmr_family family, uint32_t corner_levels,
-                      uint64_t seed) {
+/// Two polygons alike.
+static stage alike(shape of, bmr_family family, uint64_t seed) {
     test_random random = {seed};
-    own_kds_body a = body_of(of, corner_levels, &random), b = body_of(of, corner_levels, &random);
-    const bmr_family_def how = {family, 20.0, seed, family == BMR_FAMILY_LINE ? 0 : 64, 0};
-    own_family motion;
-    assert_int_equal(bmr_family_create(&how, a.polygon, b.polygon, NULL, &motion), BMR_OK);
-    const bmr_course course = {{a.polygon, b.polygon}, {motion.motions[0], motion.motions[1]}, 0.0, 1.0};
-    bmr_run_def def = {.structure = info,
-                       .shapes = {a.shape, b.shape},
-                       .simulation = bmr_default_simulation_def(),
-                       .audit = true};
-    def.simulation.kds = tuned();
-    outcome o;
-    assert_int_equal(bmr_run_course(&def, &course, motion.diameter, NULL, &o.run), BMR_OK);
-    assert_int_equal(o.run.audit, BMR_OK);
-    assert_int_equal(bmr_clear_decomposition(&course, KAPPA, 0.0, &o.clear), BMR_OK);
-    return o;
+    const test_kds_body a = body_of(of, ROOT_LEVEL, &random);
+    return stage_with(a, body_of(of, ROOT_LEVEL, &random),
+                      (bmr_family_def){family, 20.0, seed, family == BMR_FAMILY_LINE ? 0 : 64, 0});
 }
 
 /// Section 6, tuning: with richer roots and slower offsets beta nears 1 and kappa nears 3.
@@ -149,15 +124,18 @@ TEST(events_are_a_distance_over_beta_apart_and_no_more_than_a_clear_decompositio
     for (int of = 0; of < SHAPES; ++of) {
         double least = INFINITY;
         uint64_t events = 0, segments = 0;
-        for (size_t f = 0; f < COUNT(families); ++f) {
-            const outcome o =
-                run_of(&bmr_kds_inflated_translation, (shape)of, families[f], ROOT_LEVEL, 3 + f);
-            least = fmin(least, o.run.hysteresis.both);
-            events += o.run.events;
-            segments += o.clear.least;
-            assert_true(o.run.events <= o.clear.least);
-            const outcome lazy = run_of(&bmr_kds_lazy_compass, (shape)of, families[f], ROOT_LEVEL, 3 + f);
-            without = fmin(without, lazy.run.hysteresis.both);
+        for (size_t f = 0; f < COUNT_OF(families); ++f) {
+            own_stage s = alike((shape)of, families[f], 3 + f);
+            bmr_run_def def = {.simulation = bmr_default_simulation_def()};
+            def.simulation.kds = tuned();
+            bmr_clear clear;
+            assert_int_equal(bmr_clear_decomposition(&s.course, KAPPA, 0.0, &clear), BMR_OK);
+            const bmr_run run = run_of(&s, &bmr_kds_inflated_translation, def);
+            least = fmin(least, run.hysteresis.both);
+            events += run.events;
+            segments += clear.least;
+            assert_true(run.events <= clear.least);
+            without = fmin(without, run_of(&s, &bmr_kds_lazy_compass, def).hysteresis.both);
         }
         printf("%s: moves by %.3f of the distance at least, %llu events, %llu segments for kappa = %.2f\n",
                shape_names[of], least, (unsigned long long)events, (unsigned long long)segments, KAPPA);

@@ -57,12 +57,15 @@ typedef struct stage {
     bmr_course course;
 } stage;
 
-/// It owns the polygons.
-static inline stage stage_of(bmr_polygon *a, bmr_polygon *b, bmr_family_def def) {
-    stage s = {.bodies = {test_kds_body_make(a), test_kds_body_make(b)}};
-    assert_int_equal(bmr_family_create(&def, a, b, NULL, &s.motion), BMR_OK);
-    s.course = (bmr_course){{a, b}, {s.motion.motions[0], s.motion.motions[1]}, 0.0, 1.0};
+/// It owns the bodies.
+static inline stage stage_with(test_kds_body a, test_kds_body b, bmr_family_def def) {
+    stage s = {.bodies = {a, b}};
+    assert_int_equal(bmr_family_create(&def, a.polygon, b.polygon, NULL, &s.motion), BMR_OK);
+    s.course = (bmr_course){{a.polygon, b.polygon}, {s.motion.motions[0], s.motion.motions[1]}, 0.0, 1.0};
     return s;
+}
+static inline stage stage_of(bmr_polygon *a, bmr_polygon *b, bmr_family_def def) {
+    return stage_with(test_kds_body_make(a), test_kds_body_make(b), def);
 }
 
 static inline void strike(stage *s) {
