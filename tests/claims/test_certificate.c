@@ -6,14 +6,6 @@
 #include "polygons.h"
 
 #define TWO_PI 6.283185307179586
-#define LEAST_ROUNDS 1500
-
-/// As scaled, but enough for every control to see what it waits for.
-static size_t rounds(size_t count) {
-    const size_t scaled = test_scaled(count);
-    return scaled > LEAST_ROUNDS ? scaled : LEAST_ROUNDS;
-}
-
 /// A certificate of A's line at `direction` with the support vertex of B as window, in B's normal cone.
 static bmr_certificate vertex_certificate(const bmr_polygon *a, const bmr_polygon *b, bmr_vec2 direction,
                                           const bmr_pose *q) {
@@ -27,27 +19,9 @@ static bmr_certificate vertex_certificate(const bmr_polygon *a, const bmr_polygo
     return k;
 }
 
-/// min over B - max over A along the certificate's own rounded normal, and the distance it proves: in long
-/// double.
-static double proved_distance(const bmr_certificate *k, const bmr_polygon *a, const bmr_polygon *b,
-                              const bmr_pose *q) {
-    const long double nx = (long double)k->normal[0], ny = (long double)k->normal[1];
-    long double high = -INFINITY, low = INFINITY;
-    for (uint32_t i = 0; i < a->count; ++i)
-        high = fmaxl(high, nx * (long double)a->vertices[i].x + ny * (long double)a->vertices[i].y);
-    for (uint32_t j = 0; j < b->count; ++j) {
-        const long double x = (long double)b->vertices[j].x, y = (long double)b->vertices[j].y;
-        const long double c = (long double)q->c, s = (long double)q->s;
-        low = fminl(low, nx * (c * x - s * y + (long double)q->position.x) +
-                             ny * (s * x + c * y + (long double)q->position.y));
-    }
-    return (double)((low - high) / sqrtl(nx * nx + ny * ny));
-}
-
 typedef struct setting {
     bmr_polygon *a, *b;
     bmr_pose pose;
-    bmr_vec2 direction;
     bmr_certificate certificate;
 } setting;
 
@@ -62,75 +36,13 @@ static setting random_setting(test_random *random) {
     const double way = test_random_uniform(random, 0.0, TWO_PI);
     const double gap = exp(test_random_uniform(random, log(1e-3), log(10.0)));
     s.pose = test_pose_at(s.a, s.b, way, test_random_uniform(random, 0.0, TWO_PI), gap);
-    s.direction = bmr_vec2_make(cos(way), sin(way));
-    s.certificate = vertex_certificate(s.a, s.b, s.direction, &s.pose);
+    s.certificate = vertex_certificate(s.a, s.b, bmr_vec2_make(cos(way), sin(way)), &s.pose);
     return s;
 }
 
 static void drop(setting *s) {
     bmr_polygon_destroy(s->a, NULL);
     bmr_polygon_destroy(s->b, NULL);
-}
-
-TEST(the_gap_is_below_the_truth_and_by_no_more_than_the_stated_loss) {
-    test_random random = {11};
-    const size_t count = rounds(20000);
-    size_t unrounded_lies = 0;
-    for (size_t i = 0; i < count; ++i) {
-        setting s = random_setting(&random);
-        double gap;
-        const bmr_check check = bmr_certificate_check(&s.certificate, &s.pose, 0.0, &gap);
-        const double truth = proved_distance(&s.certificate, s.a, s.b, &s.pose);
-        const double loss = BMR_CERTIFICATE_LOSS * (s.a->extent + s.b->extent) + fabs(truth) * 0x1p-22;
-        assert_int_not_equal(check, BMR_CHECK_ROLLED);
-        assert_true(gap <= truth);
-        assert_true(gap >= truth - loss);
-        // The control: floats without their roundings in the offset do lie.
-        bmr_certificate bare = s.certificate;
-        const double exact = bmr_dot(s.direction, s.a->vertices[bmr_polygon_support(s.a, s.direction)]);
-        bare.offset = (float)exact;
-        bmr_certificate_check(&bare, &s.pose, 0.0, &gap);
-        unrounded_lies += gap > truth;
-        drop(&s);
-    }
-    assert_true(unrounded_lies > count / 10);
-}
-
-TEST(a_direction_just_outside_the_bracket_passes_and_its_price_is_paid) {
-    test_random random = {12};
-    size_t passed = 0, rolled = 0, would_lie = 0;
-    for (size_t i = 0; i < rounds(20000); ++i) {
-        setting s = random_setting(&random);
-        const bmr_certificate *k = &s.certificate;
-        // Turn B so that the direction is outside its bracket by up to twice the tolerance.
-        const double out = test_random_uniform(&random, 0.0, 2.0 * BMR_ROLL_TOLERANCE);
-        const double low = atan2((double)k->low[1], (double)k->low[0]);
-        const double angle = atan2(-s.direction.y, -s.direction.x) - (low - out);
-        bmr_pose q = s.pose;
-        q.c = cos(angle);
-        q.s = sin(angle);
-        double gap;
-        if (bmr_certificate_check(k, &q, 0.0, &gap) == BMR_CHECK_ROLLED) {
-            ++rolled;
-            assert_true(out > 0.8 * BMR_ROLL_TOLERANCE);
-        } else {
-            ++passed;
-            assert_true(out < 1.2 * BMR_ROLL_TOLERANCE);
-            const double truth = proved_distance(k, s.a, s.b, &q);
-            assert_true(gap <= truth);
-            // The control: the same certificate without a bracket to pay for claims too much here.
-            bmr_certificate free_ride;
-            const uint32_t j = bmr_polygon_support(s.b, bmr_unrotate(&s.pose, bmr_neg(s.direction)));
-            const double exact = bmr_dot(s.direction, s.a->vertices[bmr_polygon_support(s.a, s.direction)]);
-            const bmr_vec2 none = {0.0, 0.0};
-            bmr_certificate_fill(&free_ride, s.direction, exact, &s.b->vertices[j], 1, none, none,
-                                 s.a->extent, s.b->extent);
-            bmr_certificate_check(&free_ride, &q, 0.0, &gap);
-            would_lie += gap > truth;
-        }
-        drop(&s);
-    }
-    assert_true(passed > 0 && rolled > 0 && would_lie > 0);
 }
 
 TEST(the_opposite_direction_is_outside_the_narrowest_bracket) {
@@ -190,40 +102,17 @@ TEST(a_nan_anywhere_never_holds) {
     }
 }
 
-TEST(the_audit_accepts_what_is_true_and_rejects_every_tampering) {
+/// (Other tampering, and what a certificate's gap is worth: test_pair_properties.c, test_pair_oracle.cpp.)
+TEST(a_normal_longer_than_1_is_refused) {
     test_random random = {14};
-    for (size_t i = 0; i < rounds(3000); ++i) {
+    for (int trial = 0; trial < 100; ++trial) {
         setting s = random_setting(&random);
-        const bmr_certificate honest = s.certificate;
-        const float size = (float)(s.a->extent + s.b->extent);
-        assert_int_equal(bmr_certificate_audit(&honest, s.a, s.b, &s.pose), BMR_OK);
-
-        bmr_certificate k = honest; // a line that cuts the owner
-        k.offset -= 1e-5f * size;
-        assert_int_equal(bmr_certificate_audit(&k, s.a, s.b, &s.pose), BMR_ERROR_FALSE_CERTIFICATE);
-
-        k = honest; // a longer normal: longer gaps
-        k.normal[0] *= 1.001f;
-        k.normal[1] *= 1.001f;
-        k.offset += size; // the line itself is fine
-        assert_int_equal(bmr_certificate_audit(&k, s.a, s.b, &s.pose), BMR_ERROR_FALSE_CERTIFICATE);
-
-        k = honest; // a window that is farther away than the body
-        const bmr_vec2 u = bmr_unrotate(&s.pose, s.direction);
-        for (int w = 0; w < 2; ++w) {
-            k.window[w][0] += (float)u.x * 1e-4f * size;
-            k.window[w][1] += (float)u.y * 1e-4f * size;
-        }
-        assert_int_equal(bmr_certificate_audit(&k, s.a, s.b, &s.pose), BMR_ERROR_FALSE_CERTIFICATE);
-
-        k = honest; // a bracket that reaches to where the window is not the nearest
-        k.low[0] = k.low[1] = k.high[0] = k.high[1] = 0.0f;
-        assert_int_equal(bmr_certificate_audit(&k, s.a, s.b, &s.pose),
-                         s.b->count == 1 ? BMR_OK : BMR_ERROR_FALSE_CERTIFICATE);
-
-        const bmr_pose turned = {s.pose.position, -s.pose.c, -s.pose.s}; // a pose out of the bracket
-        assert_int_equal(bmr_certificate_audit(&honest, s.a, s.b, &turned),
-                         s.b->count == 1 ? BMR_OK : BMR_ERROR_FALSE_CERTIFICATE);
+        assert_int_equal(bmr_certificate_audit(&s.certificate, s.a, s.b, &s.pose), BMR_OK);
+        s.certificate.normal[0] *= 1.001f;
+        s.certificate.normal[1] *= 1.001f;
+        s.certificate.offset += (float)(s.a->extent + s.b->extent); // the line itself is fine
+        assert_int_equal(bmr_certificate_audit(&s.certificate, s.a, s.b, &s.pose),
+                         BMR_ERROR_FALSE_CERTIFICATE);
         drop(&s);
     }
 }
