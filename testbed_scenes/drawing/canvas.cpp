@@ -30,10 +30,10 @@ cairo_status_t Append(void *bytes, const unsigned char *data, unsigned length) {
 }
 
 cairo_surface_t *MakeSurface(const std::string &path, std::string *bytes, double width, double height) {
-    if (EndsWith(path, ".png"))
+    if (fs::path(path).extension() == ".png")
         return cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(width)),
                                           static_cast<int>(std::lround(height)));
-    if (EndsWith(path, ".svg"))
+    if (fs::path(path).extension() == ".svg")
         return cairo_svg_surface_create_for_stream(Append, bytes, width, height);
     return cairo_pdf_surface_create_for_stream(Append, bytes, width, height);
 }
@@ -72,13 +72,9 @@ void WriteWholeFile(const std::string &path, const std::string &content) {
         FailToWrite(path, error.message());
 }
 
-bool EndsWith(const std::string &path, const std::string &ending) {
-    return path.size() > ending.size() &&
-           path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
-}
-
 bool IsPicturePath(const std::string &path) {
-    return EndsWith(path, ".svg") || EndsWith(path, ".png") || EndsWith(path, ".pdf");
+    const fs::path ending = fs::path(path).extension();
+    return ending == ".svg" || ending == ".png" || ending == ".pdf";
 }
 
 Rectangle NoRectangle() {
@@ -139,7 +135,7 @@ Canvas::Canvas(std::string path, double width, double height)
 
 void Canvas::Write() {
     cairo_status_t status = cairo_status(m_cairo);
-    if (status == CAIRO_STATUS_SUCCESS && EndsWith(m_path, ".png"))
+    if (status == CAIRO_STATUS_SUCCESS && fs::path(m_path).extension() == ".png")
         status = cairo_surface_write_to_png_stream(m_surface.get(), Append, &m_bytes);
     cairo_surface_finish(m_surface.get());
     if (status == CAIRO_STATUS_SUCCESS)

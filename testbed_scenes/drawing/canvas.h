@@ -21,7 +21,6 @@ void CheckWritable(const std::string &path);
 /// std::runtime_error.
 void WriteWholeFile(const std::string &path, const std::string &content);
 
-bool EndsWith(const std::string &path, const std::string &ending);
 /// Whether there is a kind of picture for the ending of this path: .svg, .png or .pdf.
 bool IsPicturePath(const std::string &path);
 

@@ -63,14 +63,13 @@ void FindField(const Dump &stock, const Dump &plugin, Difference &difference) {
             report(name, kAbsent, value);
 }
 
-/// The lines that one side printed of its steps. Throws WorkerError unless it gave all that were asked for.
+/// The lines that one side printed of its steps: `step I BODIES CONTACTS EVENTS`, the last three hashes.
+/// Throws WorkerError unless it gave all that were asked for.
 using Hashes = std::vector<std::string>;
 Hashes HashesOf(const Workers &workers, Side side, const CompareOptions &options, const SceneResult &result,
                 const std::function<void(size_t)> &onStep = nullptr) {
     Hashes lines;
     workers.Run(RequestFor(side, result, options, "hash"), options.worker, [&](const std::string &line) {
-        if (!IsStepLine(line))
-            return;
         lines.push_back(line);
         if (onStep)
             onStep(lines.size());

@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kStepPrefix[] = "step ";
 constexpr char kSummaryPrefix[] = "summary ";
 
 const char *ValueOf(const char *variable) {
@@ -121,10 +120,6 @@ void RunProgram(const std::vector<std::string> &arguments, const std::vector<std
 
 // The list of scenes as a worker writes it.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SceneInfo, name, description, group, size, seed, steps, vertices, bodies)
-
-bool IsStepLine(const std::string &line) {
-    return StartsWith(line, kStepPrefix);
-}
 
 std::optional<double> NumberAt(const nlohmann::json &json, const std::string &pointer) {
     const nlohmann::json::json_pointer path(pointer);

@@ -41,9 +41,6 @@ struct SceneInfo {
     bool NeedsPlugin() const { return vertices > 8 && bodies == "one"; }
 };
 
-/// `step <i> <bodies> <contacts> <events>`, where the last three are hashes.
-bool IsStepLine(const std::string &line);
-
 /// The number at a JSON pointer ("/plugin/checks"), or nothing where there is none (absent, null, not a
 /// number).
 std::optional<double> NumberAt(const nlohmann::json &json, const std::string &pointer);

@@ -294,73 +294,65 @@ public:
         : m_canvas(canvas), m_area(area), m_unit(unit) {}
 
     /// Keeps labels away from here.
-    void Block(bmr_vec2 at, double radius);
+    void Block(bmr_vec2 at, double radius) {
+        m_taken.push_back({at.x - radius, at.y - radius, at.x + radius, at.y + radius});
+    }
     /// Writes a text near a point, with a line to the point where there is no room close by; nothing where
     /// there is no room at all.
-    void Place(bmr_vec2 at, const std::string &text);
+    void Place(bmr_vec2 at, const std::string &text) {
+        const double width = m_canvas.TextWidth(text, style::kTextSize * m_unit) + 2.0 * kPadding * m_unit;
+        const double height = kHeight * m_unit;
+        for (const double distance : kDistances) {
+            for (int i = 0; i < kDirections; ++i) {
+                // Right and left first.
+                const double angle = M_PI * (i % 2 == 0 ? i : kDirections - i + 1) / kDirections * 2.0 + 0.3;
+                const double reachX = 0.5 * width + distance * m_unit * std::fabs(std::cos(angle));
+                const bmr_vec2 centre =
+                    bmr_vec2_make(at.x + std::copysign(reachX, std::cos(angle)) * std::fabs(std::cos(angle)),
+                                  at.y + (0.5 * height + distance * m_unit) * std::sin(angle));
+                const Rectangle box = {centre.x - 0.5 * width, centre.y - 0.5 * height,
+                                       centre.x + 0.5 * width, centre.y + 0.5 * height};
+                const Rectangle near = {at.x - 4.0 * m_unit, at.y - 4.0 * m_unit, at.x + 4.0 * m_unit,
+                                        at.y + 4.0 * m_unit};
+                if (!IsFree(box) || Overlap(box, near))
+                    continue;
+                if (distance >= kLeaderFrom) {
+                    const bmr_vec2 end = bmr_vec2_make(std::clamp(at.x, box.left, box.right),
+                                                       std::clamp(at.y, box.bottom, box.top));
+                    m_canvas.Segment(at, end, {style::kFaintText, 0.8 * m_unit, 0.9, {}});
+                }
+                m_canvas.Box(box, {style::kStrip, 0.8});
+                const double size = style::kTextSize * m_unit;
+                m_canvas.Text(bmr_vec2_make(box.left + kPadding * m_unit, centre.y), 0.0, -0.36 * size, text,
+                              size, Align::Left, style::kText);
+                m_taken.push_back(box);
+                return;
+            }
+        }
+    }
     /// Writes a text around a point, if it fits there and not elsewhere.
-    void PlaceAt(bmr_vec2 at, const std::string &text, double size);
+    void PlaceAt(bmr_vec2 at, const std::string &text, double size) {
+        const double halfWidth = 0.5 * m_canvas.TextWidth(text, size, true) + 2.0 * m_unit, half = 0.6 * size;
+        const Rectangle box = {at.x - halfWidth, at.y - half, at.x + halfWidth, at.y + half};
+        if (!IsFree(box))
+            return;
+        m_canvas.Text(at, 0.0, -0.36 * size, text, size, Align::Centre, style::kText, true);
+        m_taken.push_back(box);
+    }
 
 private:
-    bool IsFree(const Rectangle &box) const;
+    bool IsFree(const Rectangle &box) const {
+        return box.left >= m_area.left && box.right <= m_area.right && box.bottom >= m_area.bottom &&
+               box.top <= m_area.top &&
+               std::none_of(m_taken.begin(), m_taken.end(),
+                            [&box](const Rectangle &taken) { return Overlap(box, taken); });
+    }
 
     Canvas &m_canvas;
     const Rectangle m_area;
     const double m_unit;
     std::vector<Rectangle> m_taken;
 };
-
-void Labels::Block(bmr_vec2 at, double radius) {
-    m_taken.push_back({at.x - radius, at.y - radius, at.x + radius, at.y + radius});
-}
-
-bool Labels::IsFree(const Rectangle &box) const {
-    return box.left >= m_area.left && box.right <= m_area.right && box.bottom >= m_area.bottom &&
-           box.top <= m_area.top &&
-           std::none_of(m_taken.begin(), m_taken.end(),
-                        [&box](const Rectangle &taken) { return Overlap(box, taken); });
-}
-
-void Labels::Place(bmr_vec2 at, const std::string &text) {
-    const double width = m_canvas.TextWidth(text, style::kTextSize * m_unit) + 2.0 * kPadding * m_unit;
-    const double height = kHeight * m_unit;
-    for (const double distance : kDistances) {
-        for (int i = 0; i < kDirections; ++i) {
-            // Right and left first.
-            const double angle = M_PI * (i % 2 == 0 ? i : kDirections - i + 1) / kDirections * 2.0 + 0.3;
-            const double reachX = 0.5 * width + distance * m_unit * std::fabs(std::cos(angle));
-            const bmr_vec2 centre =
-                bmr_vec2_make(at.x + std::copysign(reachX, std::cos(angle)) * std::fabs(std::cos(angle)),
-                              at.y + (0.5 * height + distance * m_unit) * std::sin(angle));
-            const Rectangle box = {centre.x - 0.5 * width, centre.y - 0.5 * height, centre.x + 0.5 * width,
-                                   centre.y + 0.5 * height};
-            const Rectangle near = {at.x - 4.0 * m_unit, at.y - 4.0 * m_unit, at.x + 4.0 * m_unit,
-                                    at.y + 4.0 * m_unit};
-            if (!IsFree(box) || Overlap(box, near))
-                continue;
-            if (distance >= kLeaderFrom) {
-                const bmr_vec2 end = bmr_vec2_make(std::clamp(at.x, box.left, box.right),
-                                                   std::clamp(at.y, box.bottom, box.top));
-                m_canvas.Segment(at, end, {style::kFaintText, 0.8 * m_unit, 0.9, {}});
-            }
-            m_canvas.Box(box, {style::kStrip, 0.8});
-            const double size = style::kTextSize * m_unit;
-            m_canvas.Text(bmr_vec2_make(box.left + kPadding * m_unit, centre.y), 0.0, -0.36 * size, text,
-                          size, Align::Left, style::kText);
-            m_taken.push_back(box);
-            return;
-        }
-    }
-}
-
-void Labels::PlaceAt(bmr_vec2 at, const std::string &text, double size) {
-    const double halfWidth = 0.5 * m_canvas.TextWidth(text, size, true) + 2.0 * m_unit, half = 0.6 * size;
-    const Rectangle box = {at.x - halfWidth, at.y - half, at.x + halfWidth, at.y + half};
-    if (!IsFree(box))
-        return;
-    m_canvas.Text(at, 0.0, -0.36 * size, text, size, Align::Centre, style::kText, true);
-    m_taken.push_back(box);
-}
 
 /// The middle of the corners of what a region shows of a body's polygons, in the world; nothing where it
 /// shows none.

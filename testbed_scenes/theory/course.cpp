@@ -142,11 +142,8 @@ Outcome Follow(const Course &course, const bmr_kds_info &structure, const bmr_kd
 
 const bmr_kds_info *StructureNamed(const char *name) {
     const bmr_kds_info *info = nullptr;
-    if (bmr_kds_find(name, &info) == BMR_OK)
-        return info;
-    char text[1024];
-    bmr_kds_describe_unknown(name, text, sizeof text);
-    throw std::runtime_error(text);
+    Require(bmr_kds_find(name, &info), name);
+    return info;
 }
 
 } // namespace testbed

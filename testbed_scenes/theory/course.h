@@ -129,7 +129,7 @@ shown::Proof LineOf(const bmr_kds_proof &line, const bmr_polygon *const polygons
 void VisitFrames(const Course &course, const bmr_kds_info &structure, int64_t steps,
                  const std::function<void(const shown::Frame &)> &onFrame);
 
-/// The structure of a name. Throws std::runtime_error with the name and all names there are.
+/// The structure of a name. Throws std::runtime_error.
 const bmr_kds_info *StructureNamed(const char *name);
 
 } // namespace testbed

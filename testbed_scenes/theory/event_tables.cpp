@@ -123,22 +123,13 @@ std::optional<double> MeanOver(const std::vector<Run> &runs, const std::string &
 std::optional<double> MeanOptimum(const std::vector<Run> &runs, const std::string &motion,
                                   size_t ratioIndex) {
     // Every structure of a course carries the same optimum: one of them is enough.
-    const bmr_kds_info *first = nullptr;
-    double sum = 0.0;
-    int count = 0;
-    for (const Run &run : runs) {
-        if (run.motion != motion || run.ratioIndex != ratioIndex || !run.optimum)
-            continue;
-        if (!first)
-            first = run.structure;
-        if (run.structure == first) {
-            sum += static_cast<double>(run.optimum->least);
-            ++count;
-        }
-    }
-    if (count == 0)
-        return std::nullopt;
-    return sum / count;
+    if (runs.front().optimum)
+        for (const bmr_kds_info *structure : StructuresOf(runs))
+            if (const auto mean = MeanOver(runs, motion, structure, ratioIndex, [](const Run &run) {
+                    return static_cast<double>(run.optimum->least);
+                }))
+                return mean;
+    return std::nullopt;
 }
 
 std::optional<double> OverOptimum(const std::vector<Run> &runs, const bmr_kds_info *structure,
@@ -223,20 +214,25 @@ QualitySummary QualitiesOver(const std::vector<Run> &runs, const bmr_kds_info *s
     return summary;
 }
 
-std::vector<std::string> MotionsOf(const std::vector<Run> &runs) {
-    std::vector<std::string> motions;
+namespace {
+
+/// What the runs have as a member, each once, in the order in which it first comes.
+template <typename T> std::vector<T> Distinct(const std::vector<Run> &runs, T Run::*member) {
+    std::vector<T> found;
     for (const Run &run : runs)
-        if (std::find(motions.begin(), motions.end(), run.motion) == motions.end())
-            motions.push_back(run.motion);
-    return motions;
+        if (std::find(found.begin(), found.end(), run.*member) == found.end())
+            found.push_back(run.*member);
+    return found;
+}
+
+} // namespace
+
+std::vector<std::string> MotionsOf(const std::vector<Run> &runs) {
+    return Distinct(runs, &Run::motion);
 }
 
 std::vector<const bmr_kds_info *> StructuresOf(const std::vector<Run> &runs) {
-    std::vector<const bmr_kds_info *> structures;
-    for (const Run &run : runs)
-        if (std::find(structures.begin(), structures.end(), run.structure) == structures.end())
-            structures.push_back(run.structure);
-    return structures;
+    return Distinct(runs, &Run::structure);
 }
 
 void WriteCsv(std::ostream &out, const std::vector<Run> &runs) {

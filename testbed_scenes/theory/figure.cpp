@@ -60,10 +60,6 @@ std::vector<bmr_vec2> Placed(const std::vector<bmr_vec2> &points, const bmr_pose
     return placed;
 }
 
-bmr_pose PoseAt(double x, double y, double angle) {
-    return {bmr_vec2_make(x, y), std::cos(angle), std::sin(angle)};
-}
-
 void DrawKey(Canvas &canvas, bmr_vec2 at, const Pen &pen, const std::string &text, double size) {
     canvas.Segment(at, bmr_vec2_make(at.x + 22.0, at.y), pen);
     canvas.Text(bmr_vec2_make(at.x + 28.0, at.y - 4.0), 0.0, 0.0, text, size);

@@ -43,7 +43,6 @@ std::vector<bmr_vec2> Envelope(const bmr_hierarchy *hierarchy, uint32_t level);
 Rectangle Around(const std::vector<bmr_vec2> &points, double margin);
 /// The points taken from a pose's frame outwards.
 std::vector<bmr_vec2> Placed(const std::vector<bmr_vec2> &points, const bmr_pose &pose);
-bmr_pose PoseAt(double x, double y, double angle);
 /// An entry of a legend: what a line of this kind means.
 void DrawKey(Canvas &canvas, bmr_vec2 at, const Pen &pen, const std::string &text, double size = 10.5);
 /// The line of a proof in the frame of the page, which is A's; B is at `pose`.

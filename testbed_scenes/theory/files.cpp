@@ -63,7 +63,7 @@ private:
 bmr_pose ReadPose(const Lines &lines, std::istringstream &words) {
     const double x = lines.Number(words, "X"), y = lines.Number(words, "Y"),
                  angle = lines.Number(words, "ANGLE");
-    return {bmr_vec2_make(x, y), std::cos(angle), std::sin(angle)};
+    return bmr_pose_from_angle(bmr_vec2_make(x, y), angle);
 }
 
 bmr_motion_piece ReadAlgebraic(const Lines &lines, std::istringstream &words, double time) {

@@ -35,7 +35,7 @@ std::string NameOf(bmr_body body) {
     if (error == BMR_ERROR_STALLED)
         why += choice.zeno == BMR_ZENO_ERROR ? " (--zeno elastic answers slow contacts elastically)"
                                              : " (a larger --zeno-speed may end these contacts)";
-    throw WorldStopped(why);
+    throw std::runtime_error(why);
 }
 
 } // namespace
@@ -149,8 +149,8 @@ bmr_body_state WorldRun::StateOf(bmr_body body) const {
 void WorldRun::Audit() const {
     const bmr_error error = bmr_world_audit(World());
     if (error != BMR_OK)
-        throw WorldStopped("the audit fails at time " + std::to_string(Time()) + ": " +
-                           bmr_error_describe(error));
+        throw std::runtime_error("the audit fails at time " + std::to_string(Time()) + ": " +
+                                 bmr_error_describe(error));
 }
 
 OverlapCheck CheckOverlaps(const WorldRun &run, const WorldSetup &setup) {

@@ -93,12 +93,6 @@ private:
     uint64_t m_state[4];
 };
 
-/// The world stopped: what core says, and when.
-class WorldStopped : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
-
 class WorldFrames;
 
 /// A kinetic world of a setup's bodies, whose numbers are their places in it. The setup must outlive it.
@@ -109,7 +103,7 @@ public:
     WorldRun(const WorldRun &) = delete;
     WorldRun &operator=(const WorldRun &) = delete;
 
-    /// Up to that time, with all changes of plan. Throws WorldStopped.
+    /// Up to that time, with all changes of plan. Throws std::runtime_error where the world stops.
     void Advance(double until);
 
     const bmr_world *World() const { return m_world.get(); }
@@ -122,7 +116,7 @@ public:
     double MomentumScale() const { return m_momentumScale; }
     /// New plans that bodies got so far.
     uint64_t Plans() const { return m_given; }
-    /// bmr_world_audit; throws WorldStopped with what it says.
+    /// bmr_world_audit; throws std::runtime_error with what it says.
     void Audit() const;
 
 private:
@@ -196,7 +190,7 @@ struct WorldFigures {
     double MicrosecondsAnEvent() const;
 };
 
-/// Runs a setup's world for the choice's time. Throws WorldStopped.
+/// Runs a setup's world for the choice's time. Throws std::runtime_error where the world stops.
 WorldFigures Measure(const WorldSetup &setup, const MeasureOptions &options);
 
 const char *NameOf(bmr_boundary boundary);

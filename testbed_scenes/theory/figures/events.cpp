@@ -16,7 +16,7 @@ MotionFile Pass(bmr_vec2 from, bmr_vec2 to, double angle, double spin) {
     MotionFile file;
     const bmr_motion_piece rest = bmr_piece_rest(bmr_pose_identity());
     const bmr_motion_piece pass =
-        bmr_piece_screw(0.0, PoseAt(from.x, from.y, angle), bmr_sub(to, from), spin);
+        bmr_piece_screw(0.0, bmr_pose_from_angle(from, angle), bmr_sub(to, from), spin);
     const bmr_motion_piece *const pieces[2] = {&rest, &pass};
     for (int i = 0; i < 2; ++i) {
         bmr_motion *made = nullptr;

@@ -93,7 +93,7 @@ void DrawBodies(Canvas &canvas, const Body &a, const Body &b, const bmr_pose &po
 
 void DrawFreeDirection(Canvas &canvas) {
     const Body a(EllipsePoints(20, 1.9, 0.9, 0.1)), b(EllipsePoints(22, 1.5, 0.85, 0.1));
-    const bmr_instant now = {PoseAt(0.35, 2.45, 0.25), bmr_vec2_make(0.0, 0.0), 0.0};
+    const bmr_instant now = {bmr_pose_from_angle({0.35, 2.45}, 0.25), bmr_vec2_make(0.0, 0.0), 0.0};
     const Choice choice = Chosen("free-fd2", a, b, now);
     const bmr_pose home = bmr_pose_identity();
     bmr_closest_points closest;
@@ -129,7 +129,7 @@ void DrawFreeDirection(Canvas &canvas) {
 
 void DrawCoarseLine(Canvas &canvas) {
     const Body a(EllipsePoints(18, 1.7, 0.9, 0.1)), b(EllipsePoints(12, 1.5, 0.85, 0.1));
-    const bmr_instant now = {PoseAt(1.3, 2.15, 0.5), bmr_vec2_make(1.0, 0.0), 1.0};
+    const bmr_instant now = {bmr_pose_from_angle({1.3, 2.15}, 0.5), bmr_vec2_make(1.0, 0.0), 1.0};
     const Choice coarse = Chosen("coarse", a, b, now), nearest = Chosen("free-fd2", a, b, now);
     const Rectangle page = {10.0, 46.0, canvas.Width() - 10.0, canvas.Height() - 10.0};
     canvas.SetPanel(page, {-2.4, -1.0, 3.3, 3.2});

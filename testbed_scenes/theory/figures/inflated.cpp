@@ -98,7 +98,7 @@ void DrawWindow(Canvas &canvas) {
     canvas.Polygon(Envelope(hierarchy, kLevel), {ink::kGreen, 0.08}, {ink::kGreen, 1.2, 1.0, {2.0, 2.5}});
     canvas.Polygon(other.Vertices(), {ink::kGrey, 0.25}, {ink::kBlack, 1.6});
     canvas.Text(bmr_vec2_make(0.0, 0.0), 0.0, -5.0, "B, its envelope of level j", 12.0, Align::Centre);
-    const bmr_pose place = PoseAt(0.1, 0.0, 0.0);
+    const bmr_pose place = bmr_pose_from_angle({0.1, 0.0}, 0.0);
     double top = -INFINITY;
     for (const bmr_vec2 &vertex : owner.Vertices())
         top = std::max(top, vertex.y);

@@ -83,7 +83,7 @@ std::vector<bmr_vec2> SumBefore(const Body &p, const Body &q, double angle, int 
     const uint32_t levelP = static_cast<uint32_t>(stage + 1) / 2, levelQ = static_cast<uint32_t>(stage) / 2;
     const bmr_hierarchy *const hp = p.Hierarchy(BMR_HIERARCHY_DOBKIN_KIRKPATRICK);
     const bmr_hierarchy *const hq = q.Hierarchy(BMR_HIERARCHY_DOBKIN_KIRKPATRICK);
-    const bmr_pose turn = PoseAt(0.0, 0.0, angle);
+    const bmr_pose turn = bmr_pose_from_angle({0.0, 0.0}, angle);
     std::vector<bmr_vec2> sums;
     for (const bmr_vec2 &a : Envelope(hp, std::min(levelP, bmr_hierarchy_depth(hp))))
         for (const bmr_vec2 &b : Placed(Envelope(hq, std::min(levelQ, bmr_hierarchy_depth(hq))), turn))
@@ -102,7 +102,7 @@ void DrawCentre(Canvas &canvas, const std::vector<bmr_vec2> &polygon, const std:
 /// A polygon with the level at which each of its edges is inserted.
 void DrawNumbered(Canvas &canvas, const Rectangle &page, const Body &body, double angle, bool reflected,
                   const std::string &name, const Colour &colour) {
-    bmr_pose turn = PoseAt(0.0, 0.0, angle);
+    bmr_pose turn = bmr_pose_from_angle({0.0, 0.0}, angle);
     if (reflected) {
         turn.c = -turn.c;
         turn.s = -turn.s;
