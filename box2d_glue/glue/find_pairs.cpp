@@ -121,9 +121,9 @@ private:
 
     bool Exists(const b2FixtureProxy &a, const b2FixtureProxy &b) const {
         // (A filter may have made or ended contacts.)
-        if (m_table == nullptr || m_table->proxyPairs.HasUnknown() || !m_table->IsWhole())
+        if (m_table == nullptr || !m_table->IsWhole())
             return LinkedContact::ExistsInList(a, b);
-        const bool exists = m_table->proxyPairs.Exists(a.proxyId, b.proxyId);
+        const bool exists = m_table->fixturePairs.HaveContact(a, b);
         if (Verifying())
             VerifyExists(*a.fixture, *b.fixture, exists, LinkedContact::ExistsInList(a, b));
         return exists;

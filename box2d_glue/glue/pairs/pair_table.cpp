@@ -89,7 +89,7 @@ bool PairTable::Begin() {
 void PairTable::Empty() {
     GiveMarksBack();
     motions.Clear();
-    proxyPairs.Empty();
+    fixturePairs.Empty();
     hullPairs.Clear();
     m_count = 0;
     m_live = m_awakeCount = 0;
@@ -101,8 +101,7 @@ void PairTable::Put(uint32_t i, b2Contact *contact) {
     Pair &pair = m_pairs[i];
     pair.a = motions.Acquire(contact->GetFixtureA(), m_manager->m_broadPhase, m_stamp);
     pair.b = motions.Acquire(contact->GetFixtureB(), m_manager->m_broadPhase, m_stamp);
-    proxyPairs.Reserve(i + 1);
-    proxyPairs.Add(i, *contact);
+    fixturePairs.Add(i, *contact);
     ContactNumber::Write(contact, i);
     m_contacts[i] = contact;
     m_bits[i] = 0;
@@ -128,7 +127,7 @@ void PairTable::Remove(uint32_t i) {
     if (IsAwake(i))
         SetAsleep(i);
     m_touching.Clear(i);
-    proxyPairs.Remove(i);
+    fixturePairs.Remove(i);
     hullPairs.End(i);
     motions.Release(m_pairs[i].a);
     motions.Release(m_pairs[i].b);
@@ -156,21 +155,6 @@ uint32_t PairTable::FindNumber(const b2Contact *contact) {
     return NumberOf(contact);
 }
 
-void PairTable::NoteLostProxies(uint32_t number, const b2Contact &ending) {
-    if (number == kNone || !proxyPairs.IsKnown(number))
-        return; // as is each of them after the first
-    for (const b2Fixture *fixture : {ending.GetFixtureA(), ending.GetFixtureB()}) {
-        if (FixtureAccess::ProxyCount(fixture) > 0)
-            continue;
-        for (const b2ContactEdge *edge = fixture->GetBody()->GetContactList(); edge != nullptr;
-             edge = edge->next) {
-            const uint32_t i = NumberOf(edge->contact);
-            if (i != kNone && proxyPairs.IsKnown(i))
-                proxyPairs.Forget(i);
-        }
-    }
-}
-
 void PairTable::Compact() {
     uint32_t to = 0;
     for (uint32_t from = 0; from < m_count; ++from) {
@@ -180,7 +164,7 @@ void PairTable::Compact() {
         m_pairs[to] = m_pairs[from];
         m_lines[to] = m_lines[from];
         m_bits[to] = m_bits[from];
-        proxyPairs.Renumber(from, to);
+        fixturePairs.Renumber(from, to);
         hullPairs.Renumber(from, to);
         impacts.Renumber(from, to);
         for (BitColumn *column : {&m_awake, &m_touching, &m_toiCandidates})

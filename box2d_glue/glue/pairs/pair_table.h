@@ -15,7 +15,7 @@
 #include "boomerang/budget.h"
 #include "glue/pairs/bodies.h"
 #include "glue/pairs/fixture_motion.h"
-#include "glue/pairs/proxy_pairs.h"
+#include "glue/pairs/fixture_pairs.h"
 #include "glue/pairs/table_cost.h"
 #include "glue/proofs/hull_pair.h"
 
@@ -232,8 +232,8 @@ public:
 
     Bodies bodies;
     FixtureMotions motions;
-    ProxyPairs proxyPairs; ///< good where IsWhole
-    HullPairs hullPairs;   ///< the structures of Options::pairsBy; empty without it
+    FixturePairs fixturePairs; ///< good where IsWhole
+    HullPairs hullPairs;       ///< the structures of Options::pairsBy; empty without it
     ImpactTimes impacts;
     DeferredEnable deferred;
     TableCost cost;
@@ -394,9 +394,7 @@ public:
     class Ending : private Pass {
     public:
         Ending(PairTable *table, const b2Contact *contact)
-            : Pass(table), m_contact(contact), m_number(table->FindNumber(contact)) {
-            table->NoteLostProxies(m_number, *contact);
-        }
+            : Pass(table), m_contact(contact), m_number(table->FindNumber(contact)) {}
         void Complete();
 
     private:
@@ -411,9 +409,6 @@ private:
     const b2Contact *Newest() const;
     /// The number of a contact that is about to end (it may have been made since), kNone where it has none.
     uint32_t FindNumber(const b2Contact *contact);
-    /// The contact of this number is about to end. Has its body been put out of the world, so that it has no
-    /// proxies? Then none of its contacts has.
-    void NoteLostProxies(uint32_t number, const b2Contact &ending);
     void TrimEnd();
     bool Begin();
     void Reserve(uint32_t count);
