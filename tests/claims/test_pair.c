@@ -74,20 +74,6 @@ static bmr_pose pose(double x, double y, double angle) {
 
 // --- the plain things ---
 
-TEST(a_pair_is_one_cache_line_and_starts_knowing_nothing) {
-    bmr_pair pair;
-    memset(&pair, 0xff, sizeof pair);
-    bmr_pair_init(&pair);
-    assert_int_equal(sizeof pair, 64);
-    assert_int_equal(pair.state, BMR_PAIR_NEW);
-    const bmr_pose far = pose(1e6, 0.0, 0.0);
-    double gap;
-    assert_false(bmr_pair_check(&pair, &far, 0.0, &gap));
-    const bmr_pair_def def = bmr_default_pair_def();
-    assert_int_equal(def.structure, BMR_LAZY_COMPASS);
-    assert_true(def.margin == 0.0 && def.hysteresis == 0.0);
-}
-
 TEST(a_pose_that_is_no_motion_answers_stab_and_does_no_harm) {
     const double bad[][4] = {{NAN, 0, 1, 0},      {0, NAN, 1, 0},       {9, 0, NAN, 0},      {9, 0, 1, NAN},
                              {INFINITY, 0, 1, 0}, {0, -INFINITY, 1, 0}, {9, 0, INFINITY, 0}, {9, 0, 0, 0},
