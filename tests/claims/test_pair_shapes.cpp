@@ -261,6 +261,7 @@ TEST_CASE("whatever a pair is advanced with next, what it says is true") {
     const bmr_hierarchy *everywhere[2] = {nullptr, nullptr}; // in every place, whosever it is
     bmr_pose pose = At(3.0, 0.0, 0.0);
     for (size_t i = 0; i < rounds; ++i) {
+        CAPTURE(i);
         switch (test_random_below(&random, 10)) {
         case 0:
             a = &any();
