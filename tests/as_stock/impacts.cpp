@@ -1,109 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Worlds that change while Box2D looks for impacts: who is a bullet, who listens, what a world is set to, who
-// is in it, and whether the search comes to its end.
+// Worlds that change while Box2D looks for impacts, or before it does: who is a bullet, whom a joint names,
+// and where a centre of mass is.
 #include "as_stock.h"
-#include "base/private_members.h"
 
 using namespace as_stock;
 
-namespace {
-
-/// Leaning pairs in a crowd, each with a shot at it that still lies; far off, a post with a shot at it. Shots
-/// hit bodies that lean on others. Whether Box2D looks for these impacts, and whether it moves the other
-/// bodies, too, is a matter of who is a bullet by then, and of the islands that contacts and bodies say they
-/// are in. Most become bullets when the search for impacts has begun, which left them out.
-struct Range : Game {
-    static constexpr int kCrowd = 12;
-    explicit Range(Run &run) : Game(run) {
-        for (int i = 0; i < kCrowd * kCrowd; ++i) // near each other: most pairs are of bodies like these
-            crowd.push_back(Awake({1.05f * Real(i % kCrowd), 40.0f + 1.05f * Real(i / kCrowd)}));
-        for (int i = 0; i < 8; ++i) {
-            leaning.push_back(Awake({0.0f, 4.0f * Real(i)}));
-            Awake({0.995f, 4.0f * Real(i)});
-            shots.push_back(Awake({-2.5f, 4.0f * Real(i)}, {0.1f, 0.1f}));
-        }
-        Wall({0.0f, -30.0f}, {0.05f, 1.0f});
-        first = Awake({-2.0f, -30.0f}, {0.1f, 0.1f});
-        Listen();
-        Step(2);
-        // From the first impact on nobody has anything to forget of those that are left out.
-        Awake({2.5f, -30.0f}, {0.1f, 0.1f})->SetLinearVelocity({-240.0f, 0.0f});
-        Step(4);
-    }
-    void Throw(float at, float atPost) {
-        first->SetLinearVelocity({atPost, 0.0f});
-        for (b2Body *shot : shots)
-            shot->SetLinearVelocity({at, 0.0f});
-    }
-    void Shoot(float at, float atPost) {
-        MakeBullets(shots);
-        Throw(at, atPost);
-    }
-    static void MakeBullets(const std::vector<b2Body *> &bodies) {
-        for (b2Body *body : bodies)
-            body->SetBullet(true);
-    }
-    b2Body *first; ///< hits the post
-    std::vector<b2Body *> crowd, shots, leaning;
-};
-
-} // namespace
-
-AS_STOCK("halved: a listener has the step end with the first impact; between steps sub-stepping is over") {
-    Range range(run);
-    range.Shoot(180.0f, 240.0f);
-    range.listener.begin.Once([&range] { range.world.SetSubStepping(true); });
-    range.Step();
-    const bool isComplete = range.world.*Named(bmr::StepComplete());
-    range.TookPlace(range.world.GetSubStepping() && !isComplete, "the step ends with an impact");
-    range.world.SetSubStepping(false);
-    Range::MakeBullets(range.leaning);
-    range.Step(4);
-}
-
-// Box2D's loop over contacts enables it, ahead of the search that goes on.
-AS_STOCK("pausing: between two sub-steps a game disables a contact whose impact is found") {
-    Game game(run);
-    std::vector<b2Body *> shots;
-    for (int i = 0; i < 24; ++i) {
-        game.Wall({0.0f, 4.0f * Real(i)}, {0.2f, 1.0f});
-        shots.push_back(game.Awake({-0.7f - 0.03f * Real(i), 4.0f * Real(i)}, {0.3f, 0.3f}));
-        game.Near({40.0f, 4.0f * Real(i)});
-    }
-    game.Step(2);
-    game.world.SetSubStepping(true);
-    for (b2Body *shot : shots)
-        shot->SetLinearVelocity({120.0f, 0.0f});
-    game.Step();
-    for (b2Body *shot : shots) // so that it is worth while to prove them apart
-        shot->SetLinearVelocity({0.1f, 0.0f});
-    game.Step(6);
-    int disabled = 0;
-    for (b2ContactEdge *edge = shots[8]->GetContactList(); edge != nullptr; edge = edge->next) {
-        edge->contact->SetEnabled(false);
-        ++disabled;
-    }
-    game.Step(20);
-    game.TookPlace(disabled, "a contact is disabled between two sub-steps");
-}
-
 // A filter is asked about these.
 AS_STOCK("geared: gear joints are made whose definitions name bodies that the joints do not join") {
-    Range range(run);
+    Game game(run);
+    std::vector<b2Body *> crowd, turning;
+    for (int i = 0; i < 24; ++i) // near each other
+        crowd.push_back(game.Awake({1.05f * Real(i % 12), 40.0f + 1.05f * Real(i / 12)}));
+    for (const float y : {0.0f, 4.0f})
+        turning.push_back(game.Awake({0.0f, y}));
+    game.Step(6);
     const b2BodyDef def;
-    b2Body *const anchor = range.world.CreateBody(&def);
+    b2Body *const anchor = game.world.CreateBody(&def);
     b2GearJointDef gear;
-    gear.joint1 = range.Hinge(anchor, range.shots[0], range.shots[0]->GetPosition());
-    gear.joint2 = range.Hinge(anchor, range.shots[1], range.shots[1]->GetPosition());
-    range.filter.refuses = true;
-    range.Ask();
-    for (size_t i = 0; i < Range::kCrowd; ++i) {
-        gear.bodyA = range.crowd[i];
-        gear.bodyB = range.crowd[i + Range::kCrowd];
-        range.world.CreateJoint(&gear);
-        range.Step();
+    gear.joint1 = game.Hinge(anchor, turning[0], turning[0]->GetPosition());
+    gear.joint2 = game.Hinge(anchor, turning[1], turning[1]->GetPosition());
+    game.filter.refuses = true;
+    game.Ask();
+    for (size_t i = 0; i < 12; ++i) {
+        gear.bodyA = crowd[i];
+        gear.bodyB = crowd[i + 12];
+        game.world.CreateJoint(&gear);
+        game.Step();
     }
-    range.TookPlace(range.filter.count, "the filter is asked about those that are named");
+    game.TookPlace(game.filter.count, "the filter is asked about those that are named");
 }
 
 // Bars in front of plates that stand aslant. Each bar's centre of mass is near the plate, and then in its

@@ -157,28 +157,6 @@ AS_STOCK("read anew: PostSolve puts bodies to sleep ahead of their island, and l
     game.TookPlace(slept, "bodies are put to sleep");
 }
 
-// Most pairs begin to touch before the game sets a listener: CollideByList steps the world from then on.
-AS_STOCK("by list: a listener comes to a world whose pairs nearly all touch, and disables a contact") {
-    Game game(run);
-    std::vector<b2Body *> ones;
-    for (int i = 0; i < 60; ++i)
-        ones.push_back(game.Near({3.0f * Real(i), 0.0f}));
-    game.Step(3);
-    for (size_t i = 10; i < 60; ++i)
-        ones[i]->SetTransform(ones[i]->GetPosition() - b2Vec2(0.105f, 0.0f), 0.0f);
-    game.Step();
-    game.Listen();
-    b2Contact *const late = ones[0]->GetContactList()->contact;
-    int disabled = 0;
-    game.listener.preSolve = [late, &disabled](b2Contact *contact) {
-        contact->SetEnabled(contact != late);
-        disabled += contact == late;
-    };
-    ones[0]->SetTransform(ones[0]->GetPosition() - b2Vec2(0.105f, 0.0f), 0.0f);
-    game.Step(4);
-    game.TookPlace(disabled, "the listener disables the contact");
-}
-
 namespace {
 
 const b2Vec2 kDown(0.0f, -10.0f);

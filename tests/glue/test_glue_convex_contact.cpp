@@ -299,25 +299,3 @@ AS_STOCK("a big shape rests with its own edge on every kind of shape, in either 
         }
     }
 }
-
-AS_STOCK("what is smaller lies and rolls on a big shape as on any") {
-    ConvexShape plate;
-    REQUIRE(plate.SetRounded(4.0f, 0.5f, 0.3f, 20) == BMR_OK);
-    Heard game(run, {0.0f, -10.0f});
-    game.Fixture(game.Body(b2_staticBody, {0.0f, -0.5f}), plate);
-    b2CircleShape ball;
-    ball.m_radius = 0.3f;
-    b2PolygonShape box;
-    box.SetAsBox(0.3f, 0.2f);
-    ConvexShape small;
-    REQUIRE(small.SetRegular(6, 0.3f) == BMR_OK);
-    game.Fixture(Falling(game, {-2.0f, 0.4f}), ball);
-    game.Fixture(Falling(game, {-1.0f, 0.4f}), box);
-    game.Fixture(Falling(game, {0.0f, 0.4f}), small);
-    b2Body *coin = Falling(game, {1.0f, 0.4f});
-    game.Fixture(coin, Coin(200, 0.3f));
-    game.Step(40);
-    game.Stage(game.Touching() == 4, "four contacts that touch");
-    coin->SetLinearVelocity({-3.0f, 0.0f}); // into the others
-    game.Step(60);
-}

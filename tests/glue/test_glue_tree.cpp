@@ -13,55 +13,44 @@
 
 // --- Random operations on trees of boxes, and all that is in a tree.
 
-namespace treeplay {
-
-/// All members of a tree.
-struct Contents {
-    const b2TreeNode *nodes;
-    int32 root, nodeCount, capacity, freeList, insertionCount;
+/// What TreeMembers does not have.
+struct MembersOfNodes {
+    int32 count, freeList;
 };
 
-} // namespace treeplay
-
-template <> inline void b2DynamicTree::Query(treeplay::Contents *out, const b2AABB &) const {
-    *out = {m_nodes, m_root, m_nodeCount, m_nodeCapacity, m_freeList, m_insertionCount};
+template <> inline void b2DynamicTree::Query(MembersOfNodes *out, const b2AABB &) const {
+    *out = {m_nodeCount, m_freeList};
 }
 
-namespace treeplay {
+namespace {
 
-inline Contents ContentsOf(const b2DynamicTree &tree) {
-    Contents contents;
-    tree.Query(&contents, b2AABB());
-    return contents;
-}
+using namespace bmr::tree;
 
-/// Calls `take(word)` for all bits of a tree: members, and every field of every node in use, and the list of
-/// those that are not. (Box2D leaves the other fields of nodes that it never handed out as malloc gave them.)
-template <typename Take> void EachWord(const b2DynamicTree &tree, const Take &take) {
-    const Contents contents = ContentsOf(tree);
-    for (const int32 member :
-         {contents.root, contents.nodeCount, contents.capacity, contents.freeList, contents.insertionCount})
-        take(static_cast<uint32_t>(member));
-    for (int32 id = 0; id < contents.capacity; ++id) {
-        const b2TreeNode &node = contents.nodes[id];
-        take(static_cast<uint32_t>(node.next));
-        take(static_cast<uint32_t>(node.height));
+/// All bits of a tree: members, and every field of every node in use, and the list of those that are not.
+/// (Box2D leaves the other fields of nodes that it never handed out as malloc gave them.)
+std::vector<uint32_t> BitsOf(const b2DynamicTree &tree) {
+    const TreeMembers t = MembersOf(tree);
+    MembersOfNodes more;
+    tree.Query(&more, b2AABB());
+    std::vector<uint32_t> bits;
+    const auto take = [&bits](auto value) { bits.push_back(static_cast<uint32_t>(value)); };
+    for (const int32 member : {*t.root, more.count, t.capacity, more.freeList, *t.insertionCount})
+        take(member);
+    for (int32 id = 0; id < t.capacity; ++id) {
+        const b2TreeNode &node = t.nodes[id];
+        take(node.next);
+        take(node.height);
         if (node.height < 0)
             continue;
         uint32_t words[sizeof node.aabb / sizeof(uint32_t)];
         std::memcpy(words, &node.aabb, sizeof words);
         for (const uint32_t word : words)
             take(word);
-        take(static_cast<uint32_t>(node.child1));
-        take(static_cast<uint32_t>(node.child2));
-        take(static_cast<uint32_t>(reinterpret_cast<uintptr_t>(node.userData)));
-        take(static_cast<uint32_t>(node.moved));
+        take(node.child1);
+        take(node.child2);
+        take(reinterpret_cast<uintptr_t>(node.userData));
+        take(node.moved);
     }
-}
-
-inline std::vector<uint32_t> BitsOf(const b2DynamicTree &tree) {
-    std::vector<uint32_t> bits;
-    EachWord(tree, [&bits](uint32_t word) { bits.push_back(word); });
     return bits;
 }
 
@@ -84,22 +73,22 @@ public:
     Player(uint32_t seed, Boxes boxes, int32 mostLeaves)
         : m_random{seed}, m_boxes(boxes), m_mostLeaves(mostLeaves) {}
 
-    /// One random operation: `Proxies` has Create, Destroy and Move, as b2DynamicTree.
-    template <typename Proxies> void Play(b2DynamicTree *tree, Proxies *proxies) {
+    /// One random operation: leaves are moved by `move`.
+    template <typename Move> void Play(b2DynamicTree *tree, Move *move) {
         const uint32_t what = Random() % 100;
         const auto count = static_cast<int32>(m_leaves.size());
         // It grows for a while, and shrinks for a while.
         const uint32_t creates = m_growing ? 40 : 5;
         if (count == 0 || (what < creates && count < m_mostLeaves)) {
             m_leaves.push_back(
-                proxies->Create(tree, Box(), reinterpret_cast<void *>(static_cast<uintptr_t>(++m_made))));
+                tree->CreateProxy(Box(), reinterpret_cast<void *>(static_cast<uintptr_t>(++m_made))));
         } else if (what < 45) {
             const size_t place = Random() % m_leaves.size();
-            proxies->Destroy(tree, m_leaves[place]);
+            tree->DestroyProxy(m_leaves[place]);
             m_leaves[place] = m_leaves.back();
             m_leaves.pop_back();
         } else if (what < 99) {
-            Move(tree, proxies);
+            MoveOne(tree, move);
         } else {
             Rare(tree);
         }
@@ -111,7 +100,7 @@ public:
 
 private:
     /// To anywhere, or a little away from where it is.
-    template <typename Proxies> void Move(b2DynamicTree *tree, Proxies *proxies) {
+    template <typename Move> void MoveOne(b2DynamicTree *tree, Move *move) {
         const int32 leaf = m_leaves[Random() % m_leaves.size()];
         b2AABB box = Box();
         if (Random() % 4 != 0) {
@@ -121,7 +110,7 @@ private:
             box.upperBound += by - b2Vec2(0.1f, 0.1f);
         }
         const b2Vec2 displacement(Number(0.5f), Number(0.5f));
-        proxies->Move(tree, leaf, box, displacement);
+        (*move)(tree, leaf, box, displacement);
         if (Random() % 3 == 0)
             tree->ClearMoved(leaf);
     }
@@ -184,45 +173,29 @@ private:
     bool m_growing = true;
 };
 
-/// b2DynamicTree's own.
-struct OfBox2D {
-    static int32 Create(b2DynamicTree *tree, const b2AABB &box, void *userData) {
-        return tree->CreateProxy(box, userData);
-    }
-    static void Destroy(b2DynamicTree *tree, int32 leaf) { tree->DestroyProxy(leaf); }
-    static bool Move(b2DynamicTree *tree, int32 leaf, const b2AABB &box, const b2Vec2 &displacement) {
-        return tree->MoveProxy(leaf, box, displacement);
-    }
-};
-
-} // namespace treeplay
-
-namespace {
-
-using namespace bmr::tree;
-
 /// As a step does it: what is not done here is Box2D's.
-struct Ours : treeplay::OfBox2D {
-    size_t here = 0, moved = 0, box2d = 0; ///< calls of Move; of those here, the ones that moved the leaf
+struct Ours {
+    size_t here = 0, moved = 0, box2d = 0; ///< calls; of those here, the ones that moved the leaf
 
-    bool Move(b2DynamicTree *tree, int32 leaf, const b2AABB &box, const b2Vec2 &displacement) {
-        bool isMoved;
+    void operator()(b2DynamicTree *tree, int32 leaf, const b2AABB &box, const b2Vec2 &displacement) {
+        bool isMoved = false;
         const bool isDone = MoveHere(*tree, leaf, box, displacement, &isMoved);
         ++(isDone ? here : box2d);
         moved += isDone && isMoved ? 1 : 0;
-        return isDone ? isMoved : tree->MoveProxy(leaf, box, displacement);
+        if (!isDone)
+            tree->MoveProxy(leaf, box, displacement);
     }
 };
 
 struct Round {
-    treeplay::Boxes boxes;
+    Boxes boxes;
     int32 mostLeaves;
     size_t operations;
 };
 
 /// Small trees, whose every shape comes up, and larger ones.
 template <typename Play> void EachRound(const Play &play) {
-    for (const treeplay::Boxes boxes : treeplay::kAllBoxes) {
+    for (const Boxes boxes : kAllBoxes) {
         for (const Round &round : {Round{boxes, 5, 2000}, Round{boxes, 40, 4000}, Round{boxes, 300, 4000}}) {
             for (uint32_t seed = 1; seed <= test_scaled(3); ++seed) {
                 INFO("boxes ", static_cast<int>(boxes), ", leaves ", round.mostLeaves, ", seed ", seed);
@@ -240,21 +213,23 @@ TEST_CASE("after each operation the tree is Box2D's, to the bit") {
     size_t moved = 0;
     EachRound([&](const Round &round, uint32_t seed) {
         b2DynamicTree stock, ours;
-        treeplay::Player stockPlayer(seed, round.boxes, round.mostLeaves),
+        Player stockPlayer(seed, round.boxes, round.mostLeaves),
             ourPlayer(seed, round.boxes, round.mostLeaves);
-        treeplay::OfBox2D ofBox2D;
-        Ours proxies;
+        const auto box2Ds = [](b2DynamicTree *tree, int32 leaf, const b2AABB &box, const b2Vec2 &by) {
+            tree->MoveProxy(leaf, box, by);
+        };
+        Ours moves;
         for (size_t i = 0; i < round.operations; ++i) {
-            stockPlayer.Play(&stock, &ofBox2D);
-            ourPlayer.Play(&ours, &proxies);
-            const bool same = treeplay::BitsOf(stock) == treeplay::BitsOf(ours);
+            stockPlayer.Play(&stock, &box2Ds);
+            ourPlayer.Play(&ours, &moves);
+            const bool same = BitsOf(stock) == BitsOf(ours);
             if (!same)
                 REQUIRE_MESSAGE(same, "operation ", i);
         }
-        REQUIRE(proxies.here > proxies.moved);
-        CHECK((round.boxes == treeplay::Boxes::kWild || round.boxes == treeplay::Boxes::kExtreme ||
-               round.boxes == treeplay::Boxes::kNumberless || proxies.here > 8 * proxies.box2d));
-        moved += proxies.moved;
+        REQUIRE(moves.here > moves.moved);
+        CHECK((round.boxes == Boxes::kWild || round.boxes == Boxes::kExtreme ||
+               round.boxes == Boxes::kNumberless || moves.here > 8 * moves.box2d));
+        moved += moves.moved;
     });
     CHECK(moved > 0);
 }
@@ -267,12 +242,12 @@ TEST_CASE("ids of no leaf in the tree are Box2D's to assert on") {
     const int32 a = tree.CreateProxy(box, nullptr), b = tree.CreateProxy(box, nullptr);
     const int32 parent = *MembersOf(tree).root;
     tree.DestroyProxy(b);
-    const std::vector<uint32_t> before = treeplay::BitsOf(tree);
+    const std::vector<uint32_t> before = BitsOf(tree);
     bool moved;
     for (const int32 id : {-1, b, parent, 15, 16, 1 << 30}) {
         CHECK_FALSE(MoveHere(tree, id, box, b2Vec2(50.0f, 0.0f), &moved));
     }
-    CHECK(treeplay::BitsOf(tree) == before);
+    CHECK(BitsOf(tree) == before);
     box.upperBound.Set(9.0f, 9.0f);
     CHECK(MoveHere(tree, a, box, b2Vec2(50.0f, 0.0f), &moved));
     CHECK(moved);
