@@ -28,9 +28,10 @@ public:
     virtual void OnEnd(b2Contact & /*contact*/) {}
     virtual void OnPreSolve(b2Contact & /*contact*/, const b2Manifold & /*old*/) {}
     virtual void OnPostSolve(b2Contact & /*contact*/, const b2ContactImpulse & /*impulse*/) {}
-    /// Called always: a scene must forget joints that die with their bodies.
-    virtual void OnGoodbye(b2Joint & /*joint*/) {}
 };
+
+/// The seed of a scene's random numbers unless told otherwise.
+constexpr unsigned long kSeed = 1;
 
 /// What is known of a scene without building it.
 struct SceneInfo {
@@ -43,10 +44,7 @@ struct SceneInfo {
     int size;
     int steps;
     std::unique_ptr<Scene> (*create)();
-    unsigned long seed = 1;
     float timeStep = 1.0f / 60.0f;
-    int velocityIterations = 8;
-    int positionIterations = 3;
     /// What its polygons are unless told otherwise; of 0 vertices: there is nothing to choose.
     PolygonChoice polygons = {};
 };

@@ -79,7 +79,6 @@ void Stage::PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) {
 void Stage::SayGoodbye(b2Joint *joint) {
     if (m_recorder != nullptr)
         m_recorder->OnGoodbye(*joint);
-    m_scene.OnGoodbye(*joint);
 }
 
 void Stage::SayGoodbye(b2Fixture *fixture) {

@@ -17,9 +17,9 @@ namespace testbed {
 enum ExitCode { kExitOk = 0, kExitDifferent = 1, kExitUsage = 2, kExitWorker = 3 };
 
 /// A request that makes no sense: reported on stderr, exit code 2.
-class UsageError : public std::runtime_error {
+class UsageError : public std::invalid_argument {
 public:
-    using std::runtime_error::runtime_error;
+    using std::invalid_argument::invalid_argument;
 };
 
 /// The program, as its commands see it.

@@ -396,11 +396,7 @@ int Execute(const EventsCommand &command, const std::string &workersDirectory) {
     }
     if (command.experiment.polygonFiles.size() > 2)
         throw UsageError("--polygon: A's and B's, and no third");
-    try {
-        return CountEvents(command, workersDirectory);
-    } catch (const FileError &error) {
-        throw UsageError(error.what());
-    }
+    return CountEvents(command, workersDirectory);
 }
 
 } // namespace

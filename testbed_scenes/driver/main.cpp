@@ -53,7 +53,7 @@ int main(int argc, char **argv) {
         if (!std::cout.flush())
             throw std::runtime_error("the output could not be written");
         return status;
-    } catch (const testbed::UsageError &error) {
+    } catch (const std::invalid_argument &error) { // an option, a file, a world that cannot be
         std::cerr << "boomerang-testbed: " << error.what() << '\n';
         return testbed::kExitUsage;
     } catch (const std::exception &error) {

@@ -68,21 +68,17 @@ void AddPair(const RenderCommand &command, PictureSeries *series, Progress *prog
         throw UsageError("--structure: " + name +
                          " is the plugin's; of two polygons of one's own it is one of the paper's "
                          "(events --list shows all)");
-    try {
-        const auto a = ReadBody(command.polygons.front()), b = ReadBody(command.polygons.back());
-        const Course course(a, b, ReadMotionFile(command.motion));
-        if (!Takes(*structure, course))
-            throw UsageError(std::string("--structure: ") + structure->name +
-                             " does not take two polygons that turn");
-        const std::string scene = std::filesystem::path(command.motion).filename().string();
-        VisitFrames(course, *structure, command.steps, [&](shown::Frame frame) {
-            frame.scene = scene;
-            series->Add(frame);
-            progress->Show(scene, static_cast<double>(frame.step) / static_cast<double>(command.steps));
-        });
-    } catch (const FileError &error) {
-        throw UsageError(error.what());
-    }
+    const auto a = ReadBody(command.polygons.front()), b = ReadBody(command.polygons.back());
+    const Course course(a, b, ReadMotionFile(command.motion));
+    if (!Takes(*structure, course))
+        throw UsageError(std::string("--structure: ") + structure->name +
+                         " does not take two polygons that turn");
+    const std::string scene = std::filesystem::path(command.motion).filename().string();
+    VisitFrames(course, *structure, command.steps, [&](shown::Frame frame) {
+        frame.scene = scene;
+        series->Add(frame);
+        progress->Show(scene, static_cast<double>(frame.step) / static_cast<double>(command.steps));
+    });
 }
 
 /// Runs a worker, whose frames are those that the series wants.

@@ -119,7 +119,7 @@ void RunProgram(const std::vector<std::string> &arguments, const std::vector<std
 } // namespace
 
 // The list of scenes as a worker writes it.
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SceneInfo, name, description, group, size, seed, steps, vertices, bodies)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SceneInfo, name, description, group, size, steps, vertices, bodies)
 
 std::optional<double> NumberAt(const nlohmann::json &json, const std::string &pointer) {
     const nlohmann::json::json_pointer path(pointer);

@@ -33,7 +33,6 @@ struct SceneInfo {
     std::string description;
     std::string group;
     int64_t size = 0;
-    uint64_t seed = 0;
     int64_t steps = 0;
     int64_t vertices = 0; ///< of its polygons unless told otherwise; 0: that cannot be chosen
     std::string bodies;   ///< and what they are: one, many or circle

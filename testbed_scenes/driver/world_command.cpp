@@ -333,11 +333,7 @@ int Execute(const WorldCommand &command) {
         PictureSeries(command.pictures, PictureSource::World)
             .CheckLast(choice.scene, StepsOf(command, choice));
     }
-    try {
-        return Perform(command);
-    } catch (const WorldChoiceError &error) {
-        throw UsageError(error.what());
-    }
+    return Perform(command);
 }
 
 } // namespace

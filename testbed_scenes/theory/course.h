@@ -46,9 +46,9 @@ private:
 };
 
 /// A file of the user's cannot be read; says where and why: "motion.txt, line 3: ...".
-class FileError : public std::runtime_error {
+class FileError : public std::invalid_argument {
 public:
-    using std::runtime_error::runtime_error;
+    using std::invalid_argument::invalid_argument;
 };
 
 /// A polygon file: one point a line, "x y", in any order (the hull is taken); # begins a comment.

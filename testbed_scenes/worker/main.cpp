@@ -112,7 +112,6 @@ void PrintList() {
                         {"description", scene.description},
                         {"group", scene.group},
                         {"size", scene.size},
-                        {"seed", scene.seed},
                         {"steps", scene.steps},
                         {"vertices", scene.polygons.vertices},
                         {"bodies", NameOf(scene.polygons.bodies)}});

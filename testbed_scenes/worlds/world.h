@@ -25,9 +25,9 @@ namespace testbed {
 // that come of that, placed so that no two disks meet.
 
 /// A choice that no world can be made of; says what would do.
-class WorldChoiceError : public std::runtime_error {
+class WorldChoiceError : public std::invalid_argument {
 public:
-    using std::runtime_error::runtime_error;
+    using std::invalid_argument::invalid_argument;
 };
 
 /// What may be chosen. Lengths are in radii of the smallest body's disk.

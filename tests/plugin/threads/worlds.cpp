@@ -50,7 +50,7 @@ void World::Build() {
     const testbed::SceneInfo *info = testbed::FindScene(chosen->scene);
     m_scene = info->create();
     m_timeStep = info->timeStep;
-    m_stage = std::make_unique<testbed::Stage>(*m_scene, info->seed, &m_recorder);
+    m_stage = std::make_unique<testbed::Stage>(*m_scene, testbed::kSeed, &m_recorder);
     m_stage->SetPolygons(chosen->vertices != 0
                              ? testbed::PolygonChoice{testbed::BodyKind::One, chosen->vertices}
                              : info->polygons);
