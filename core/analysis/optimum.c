@@ -56,10 +56,6 @@ typedef struct sweep {
     cover least, found;
 } sweep;
 
-static double angle_of(bmr_vec2 v) {
-    return atan2(v.y, v.x);
-}
-
 static cone look(sweep *s, double time) {
     const bmr_pose pose = bmr_course_pose(s->course, time);
     cone c = {.time = time, .turn = atan2(pose.s, pose.c)};
@@ -69,7 +65,7 @@ static cone look(sweep *s, double time) {
     if (c.apart) {
         const bmr_vec2 low = bmr_kds_cone_end(s->pair, &pose, inside, s->pair->def.margin, -1, s->support),
                        high = bmr_kds_cone_end(s->pair, &pose, inside, s->pair->def.margin, 1, s->support);
-        const double middle = angle_of(inside);
+        const double middle = atan2(inside.y, inside.x);
         c.low = middle - atan2(bmr_cross(low, inside), bmr_dot(low, inside));
         c.high = middle + atan2(bmr_cross(inside, high), bmr_dot(inside, high));
     }

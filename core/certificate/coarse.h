@@ -21,8 +21,7 @@ typedef struct bmr_coarse {
 /// `closest` is the direction of the closest points (unit, A's frame, from A to B), `support` are vertices
 /// near the support vertices in it. False: no edge separates by more than `least`. At least one does where
 /// the distance is more than sqrt(2) times that, for the normals of both are at most 90 degrees apart. O(log
-/// n);
-/// `*steps` counts.
+/// n); `*steps` counts.
 bool bmr_coarse_pick(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a, bmr_vec2 closest,
                      double least, const uint32_t support[2], bmr_coarse *coarse, unsigned *steps);
 /// The normal that `edge` of a bmr_coarse stands for; false if the polygon has no such edge.

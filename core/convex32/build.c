@@ -241,8 +241,7 @@ bmr_error bmr_convex32_create(const bmr_vec32 *points, size_t count, const bmr_a
     for (size_t i = 0; i < count; ++i) // -0 becomes +0: equal points shall give equal bits
         sorted[i] = bmr_vec2_make((double)points[i].x + 0.0, (double)points[i].y + 0.0);
     size_t kept = bmr_convex_hull(sorted, count, hull);
-    // The points, sorted, have moved to the front, each once: what is behind the last is none after
-    // it.
+    // The points, sorted, have moved to the front, each once: what is behind the last is none after it.
     size_t distinct = 1;
     while (distinct < count && bmr_hull_sweeps_before(sorted[distinct - 1], sorted[distinct]))
         ++distinct;

@@ -27,8 +27,7 @@ static inline bmr_proxy32 bmr_proxy32_polygon(const bmr_convex32_block *block, f
 /// O(count).
 bmr_proxy32 bmr_proxy32_points(const bmr_vec32 *points, uint32_t count, float radius);
 
-/// The vertices that were closest: where the next search begins. All zero at first. Never decides the
-/// answer.
+/// The vertices that were closest: where the next search begins. All zero at first. Never decides the answer.
 typedef struct bmr_closest32 {
     uint32_t a, b;
 } bmr_closest32;

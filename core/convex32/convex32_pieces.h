@@ -49,12 +49,11 @@ typedef struct bmr_piece_corner32 {
 } bmr_piece_corner32;
 
 /// A piece of these corners, counter-clockwise. Those that turn by no more than rounding are left out
-/// (bmr_convex32_create says how much that is). An edge that is then made of several is inner if all are.
-/// One that is made of both kinds is *mixed*: a face for all that touches, and seams.parts says where
-/// another piece goes on behind it. Without inner edges the polygon is one as any other: polygon.seams is
-/// NULL (block.seams is not).
-/// Errors as bmr_convex32_create_raw; a sliver without area as far as floats can tell is
-/// BMR_ERROR_TOO_FEW_POINTS. O(n).
+/// (bmr_convex32_create says how much that is). An edge that is then made of several is inner if all are. One
+/// that is made of both kinds is *mixed*: a face for all that touches, and seams.parts says where another
+/// piece goes on behind it. Without inner edges the polygon is one as any other: polygon.seams is NULL
+/// (block.seams is not). Errors as bmr_convex32_create_raw; a sliver without area as far as floats can tell
+/// is BMR_ERROR_TOO_FEW_POINTS. O(n).
 bmr_error bmr_convex32_create_piece(const bmr_piece_corner32 *corners, size_t count,
                                     const bmr_allocator *allocator, bmr_convex32_block **block);
 
@@ -87,9 +86,8 @@ bmr_entry32 bmr_convex32_entry(const bmr_convex32_block *piece, const bmr_piece_
                                double *fraction, bmr_vec32 *corner);
 
 /// Does the ray come through this piece to a corner that it passes at `fraction`? Said of the place on the
-/// ray that is a little before it. What is outside of an inner edge by no more than the noise is inside;
-/// what is inside of a face by no more is not: along a face the ray comes from outside. O(n),
-/// and the parts.
+/// ray that is a little before it. What is outside of an inner edge by no more than the noise is inside; what
+/// is inside of a face by no more is not: along a face the ray comes from outside. O(n), and the parts.
 bool bmr_convex32_comes_through(const bmr_convex32_block *piece, const bmr_piece_ray32 *ray, double fraction);
 
 /// Of the piece's faces that meet the corner, and in front of which the ray begins, the one that it runs

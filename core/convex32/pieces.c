@@ -17,10 +17,6 @@ typedef struct draft {
     size_t count;         ///< of those that are kept
 } draft;
 
-static inline size_t next_corner(const draft *d, size_t i) {
-    return i + 1 < d->given ? i + 1 : 0;
-}
-
 /// Is the edge that ends at this vertex a face where it does, as it was given?
 static inline bool is_face_before(const draft *d, uint32_t i) {
     const uint32_t first = d->kept[i];
@@ -34,7 +30,7 @@ static uint32_t write_parts(const draft *d, uint32_t i, bmr_edge_part32 *parts, 
     uint32_t count = 0;
     bool inner = false;
     *all_inner = true;
-    for (size_t k = d->kept[i]; count == 0 || k != end; k = next_corner(d, k)) {
+    for (size_t k = d->kept[i]; count == 0 || k != end; k = k + 1 < d->given ? k + 1 : 0) {
         if (count > 0 && !d->corners[k].inner && !inner)
             continue;
         inner = d->corners[k].inner;

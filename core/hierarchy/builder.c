@@ -221,15 +221,10 @@ size_t bmr_most_cuts(size_t items, uint32_t compass_levels, uint32_t corner_leve
     return most;
 }
 
-/// Where a tree without a compass keeps its directions.
-static bmr_vec2 *directions_of(bmr_hierarchy *h) {
-    return (bmr_vec2 *)(h->nodes + h->count);
-}
-
 /// The directions of a tree without a compass: the roots', then the degenerate edges' in the order of their
 /// ids.
 static void keep_directions(const work *w, bmr_hierarchy *h) {
-    bmr_vec2 *directions = directions_of(h);
+    bmr_vec2 *directions = (bmr_vec2 *)(h->nodes + h->count);
     for (uint32_t id = 0; id < h->count; ++id)
         if (!h->nodes[id].own)
             directions[h->nodes[id].direction] = w->normals[id];

@@ -43,10 +43,6 @@ static inflated_state *state_of(bmr_kds *kds) {
     return (inflated_state *)(void *)kds->state;
 }
 
-static const inflated_state *constant_state_of(const bmr_kds *kds) {
-    return (const inflated_state *)(const void *)kds->state;
-}
-
 static bmr_error prepare(bmr_kds *kds) {
     const double diameter =
         bmr_inflation_diameter(kds->shapes[0].polygon) + bmr_inflation_diameter(kds->shapes[1].polygon);
@@ -100,7 +96,7 @@ static void take_edge(bmr_windowed_line *w, const bmr_kds *kds, const bmr_pose *
 /// overlap, is done again from there on the next level. True: there is such a level. False: `best` is that of
 /// the deepest. One climb on each level passed.
 static bool descend(const bmr_kds *kds, bmr_walk *walk, bmr_vec2 from, int side, bmr_candidate *best) {
-    const bmr_inflation *inflation = &constant_state_of(kds)->inflation;
+    const bmr_inflation *inflation = &((const inflated_state *)(const void *)kds->state)->inflation;
     const int deepest = bmr_walk_deepest(walk->hierarchies);
     const int root = (int)inflation->root_level < deepest ? (int)inflation->root_level : deepest;
     bmr_walk_start(walk, from, root);

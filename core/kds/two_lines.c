@@ -41,10 +41,6 @@ typedef struct line_state {
                              ///< others have no room for it
 } line_state;
 
-static line_rule rule_of(const bmr_kds *kds) {
-    return ((const line_class *)kds->info->implementation)->rule;
-}
-
 static line_state *state_of(bmr_kds *kds) {
     return (line_state *)(void *)kds->state;
 }
@@ -61,7 +57,7 @@ static double threshold(const bmr_kds *kds) {
 /// does. False: contact.
 static bool select_lines(bmr_kds *kds, const bmr_instant *now) {
     line_state *s = state_of(kds);
-    const line_rule rule = rule_of(kds);
+    const line_rule rule = ((const line_class *)kds->info->implementation)->rule;
     uint32_t support[2] = {s->now.support[0], s->now.support[1]};
     bmr_vec2 u;
     double distance;

@@ -452,10 +452,6 @@ static void note_contact(void *context, const bmr_simulation_event *event) {
         *time = event->time;
 }
 
-static bool have_dudley(const bmr_shape *a, const bmr_shape *b) {
-    return a->hierarchies[BMR_HIERARCHY_DUDLEY] && b->hierarchies[BMR_HIERARCHY_DUDLEY];
-}
-
 bmr_error bmr_time_of_contact(const bmr_shape *a, const bmr_motion *motion_a, const bmr_shape *b,
                               const bmr_motion *motion_b, double from, double until, double margin,
                               const bmr_allocator *allocator, double *time) {
@@ -466,7 +462,10 @@ bmr_error bmr_time_of_contact(const bmr_shape *a, const bmr_motion *motion_a, co
     if (from > until)
         return BMR_ERROR_OUT_OF_RANGE;
     bmr_simulation_def def = bmr_default_simulation_def();
-    bmr_error error = bmr_kds_find(have_dudley(a, b) ? "lazy-dudley" : "hybrid", &def.structure);
+    bmr_error error = bmr_kds_find(
+        a->hierarchies[BMR_HIERARCHY_DUDLEY] && b->hierarchies[BMR_HIERARCHY_DUDLEY] ? "lazy-dudley"
+                                                                                     : "hybrid",
+        &def.structure);
     def.kds.margin = margin;
     const bmr_shape shapes[2] = {*a, *b};
     bmr_motion *const motions[2] = {(bmr_motion *)motion_a, (bmr_motion *)motion_b}; // it only reads them

@@ -26,10 +26,6 @@
 /// be no int64_t.
 #define LEAST_AROUND_LEVEL (-40)
 
-static double narrower(const bmr_world *w) {
-    return fmin(w->unit_x, w->unit_y);
-}
-
 bmr_vec2 bmr_cell_size(const bmr_world *w, int level) {
     return bmr_vec2_make(ldexp(w->unit_x, level), ldexp(w->unit_y, level));
 }
@@ -44,7 +40,7 @@ double bmr_grid_need(const bmr_world *w, double radius) {
 
 bmr_error bmr_grid_level(const bmr_world *w, double radius, bmr_vec2 position, int *level) {
     const double place = CELL_PART * fmax(fabs(position.x), fabs(position.y));
-    const double cells = fmax(bmr_grid_need(w, radius), place) / narrower(w);
+    const double cells = fmax(bmr_grid_need(w, radius), place) / fmin(w->unit_x, w->unit_y);
     // (fmax passes a NaN over, where it has another number.)
     if (!isfinite(position.x) || !isfinite(position.y) || !isfinite(cells))
         return BMR_ERROR_NOT_FINITE;

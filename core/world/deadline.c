@@ -429,10 +429,6 @@ static interval below(double height, double rate, double reach) {
     return inside;
 }
 
-static bool both_straight(const bmr_body_pair *c) {
-    return is_straight(&c->side[0]->now.piece) && is_straight(&c->side[1]->now.piece);
-}
-
 static interval straight_within(const bmr_world *w, const bmr_body_pair *c, double epoch, double reach) {
     bmr_vec2 velocity_a, velocity_b;
     const bmr_vec2 a = straight(&c->side[0]->now.piece, epoch, &velocity_a);
@@ -452,7 +448,7 @@ bmr_error bmr_disks_next(const bmr_world *w, const bmr_body_pair *c, bool meets,
     const double reach = bmr_disks_reach(w, c), epoch = epoch_of(c);
     if (!isfinite(reach))
         return BMR_ERROR_NOT_FINITE;
-    if (!both_straight(c))
+    if (!is_straight(&c->side[0]->now.piece) || !is_straight(&c->side[1]->now.piece))
         return curve_next(w, c, reach, meets, after, time, look);
     const interval inside = straight_within(w, c, epoch, meets ? reach : parted(w, reach));
     if (isnan(inside.from))

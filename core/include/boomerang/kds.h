@@ -41,9 +41,8 @@ typedef enum bmr_kds_domain {
 typedef enum bmr_kds_role {
     /// Take one of these. For a point: point-lazy-dudley. For two polygons: lazy-dudley, the paper's own;
     /// two-lines, which needs no hierarchy, and has all bounds and hysteresis at every gap; hybrid, which
-    /// keeps
-    /// one line and takes fewer steps, but fails often where a body turns to and fro. With hysteresis, on
-    /// hierarchies: inflated-translation, inflated-window.
+    /// keeps one line and takes fewer steps, but fails often where a body turns to and fro. With hysteresis,
+    /// on hierarchies: inflated-translation, inflated-window.
     BMR_KDS_RECOMMENDED,
     /// As right as those, but another one does the same for less. For comparison: the structures that lead to
     /// the paper's own, and variants with one thing changed.

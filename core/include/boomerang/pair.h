@@ -40,8 +40,7 @@ typedef enum bmr_structure {
     BMR_LAZY_DUDLEY,    ///< the same on Dudley hierarchies
     BMR_FREE_DIRECTION, ///< closest direction fixed in one body, a window of two corners in the other
     /// The free direction and the coarse line (docs/open-question.md): both are made at a repair. When the
-    /// free
-    /// direction fails and the coarse line separates, that is taken; when it fails, too, comes the next
+    /// free direction fails and the coarse line separates, that is taken; when it fails, too, comes the next
     /// repair.
     BMR_TWO_LINES,
     BMR_STRUCTURE_COUNT
