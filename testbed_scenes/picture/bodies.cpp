@@ -135,7 +135,7 @@ void DrawJoints(Canvas &canvas, const WorldView &world, double unit) {
         for (const shown::Vec &point : joint.line)
             line.push_back(ToVec2(point));
         canvas.Polyline(line, pen);
-        for (const size_t anchor : {1, 2})
+        for (const std::size_t anchor : {1U, 2U})
             canvas.Dot(line[anchor], 2.0 * unit, style::kJoint);
     }
 }
