@@ -26,8 +26,8 @@ class PairTable;
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations);
 
 /// Is a step that begins ours, and with it each of its passes? It is Box2D's if the thread does not round to
-/// nearest, or is about to end. Then the world leaves its table; and so does one that is stepped in the midst
-/// of its own step, or as a contact of its ends.
+/// nearest, is about to end, or is in the midst of another step. Then the world leaves its table; and so
+/// does one that is stepped in the midst of its own step, or as a contact of its ends.
 bool StepIsOurs(const b2World &world);
 
 /// b2ContactManager::Collide: the same contacts in the same order, each filtered, destroyed or updated when

@@ -8,7 +8,6 @@
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_world.h>
 
-#include "base/memory.h"
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
 #include "glue/pairs/pair_table.h"
@@ -39,11 +38,11 @@ private:
     Clock::time_point m_last = m_first;
 };
 
-/// A solver for one pass.
+/// The thread's solver, for one step.
 class TakenSolver {
 public:
-    TakenSolver() : m_solver(PerThread<IslandSolvers>()->Take()) {}
-    ~TakenSolver() { IslandSolvers::GiveBack(m_solver); }
+    TakenSolver() : m_solver(IslandSolver::OfThread()) { m_solver->isTaken = true; }
+    ~TakenSolver() { m_solver->isTaken = false; }
     TakenSolver(const TakenSolver &) = delete;
     TakenSolver &operator=(const TakenSolver &) = delete;
     IslandSolver *Get() const { return m_solver; }
@@ -95,7 +94,8 @@ public:
 
 bool StepIsOurs(const b2World &world) {
     const b2ContactManager &manager = world.GetContactManager();
-    const bool isOurs = RoundsToNearest() && PerThread<IslandSolvers>() != nullptr;
+    const IslandSolver *const solver = IslandSolver::OfThread();
+    const bool isOurs = RoundsToNearest() && solver != nullptr && !solver->isTaken;
     const PairTable *const table = FindPairTable(&manager);
     if (table != nullptr && (!isOurs || world.IsLocked() || table->IsInPass()))
         LeaveTable(&manager);
@@ -104,6 +104,7 @@ bool StepIsOurs(const b2World &world) {
 
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations) {
     const KnownRounding rounding;
+    const TakenSolver solver;
     Laps laps;
     b2Profile &profile = world->*Named(Profile());
     auto &manager = const_cast<b2ContactManager &>(world->GetContactManager());
@@ -129,12 +130,10 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
     Collide(&manager, table);
     profile.collide = laps.Next();
     if (advances && world->*Named(StepComplete())) {
-        const TakenSolver solver;
         SolveIslands(world, step, solver.Get(), table);
         profile.solve = laps.Next();
     }
     if (advances && world->GetContinuousPhysics()) {
-        const TakenSolver solver;
         SolveImpacts(world, step, solver.Get(), table);
         profile.solveTOI = laps.Next();
     }

@@ -3,8 +3,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
@@ -12,7 +10,6 @@
 #include <box2d/b2_joint.h>
 #include <box2d/b2_world_callbacks.h>
 
-#include "base/memory.h"
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
 
@@ -331,25 +328,6 @@ void IslandSolver::Sleep(const Island &island) {
         return;
     for (uint32_t i = island.firstBody; i < island.endBody; ++i)
         m_bodies[i]->SetAwake(false);
-}
-
-IslandSolvers::~IslandSolvers() {
-    while (m_first != nullptr) {
-        IslandSolver *const next = m_first->m_next;
-        m_first->~IslandSolver();
-        std::free(m_first);
-        m_first = next;
-    }
-}
-
-IslandSolver *IslandSolvers::Take() {
-    IslandSolver **place = &m_first;
-    while (*place != nullptr && (*place)->m_isTaken)
-        place = &(*place)->m_next;
-    if (*place == nullptr)
-        *place = new (TakeMemory(nullptr, sizeof(IslandSolver))) IslandSolver;
-    (*place)->m_isTaken = true;
-    return *place;
 }
 
 // b2Island::SolveTOI: the island of an impact.

@@ -7,6 +7,7 @@
 #include <box2d/b2_time_step.h>
 
 #include "base/columns.h"
+#include "base/memory.h"
 #include "base/private_members.h"
 #include "solver/contact_solver.h"
 #include "solver/ordered_contacts.h"
@@ -36,7 +37,7 @@ struct IslandRoom {
 
 /// Solves islands with the bits of Box2D's b2Island.
 ///
-/// A pass takes one of the thread's, and begins. It then adds an island's bodies, contacts and
+/// A step takes the thread's. A pass begins. It then adds an island's bodies, contacts and
 /// joints in Box2D's order, and solves it; Solve and SolveToi leave the island empty for the next one.
 ///
 ///     Begin(step, listener)
@@ -44,6 +45,10 @@ struct IslandRoom {
 ///     Finish(profile)
 class IslandSolver {
 public:
+    /// This thread's only one; nullptr as the thread ends.
+    static IslandSolver *OfThread() { return PerThread<IslandSolver>(); }
+    bool isTaken = false; ///< by a step
+
     /// Begins a pass. `listener` gets PostSolve, unless it is nullptr. `mayWait`: islands may be solved
     /// together with others, and PostSolve called behind them.
     void Begin(const b2TimeStep &step, b2ContactListener *listener, bool mayWait);
@@ -84,8 +89,6 @@ public:
     void Finish(b2Profile *profile);
 
 private:
-    friend class IslandSolvers;
-
     void Clear();
     /// Bodies, or contacts and joints.
     uint32_t Most() const { return b2Max(m_bodyCount, m_contactCount + m_jointCount); }
@@ -127,24 +130,6 @@ private:
     b2TimeStep m_step = {};
     b2ContactListener *m_listener = nullptr;
     b2Profile m_profile = {};
-    bool m_isTaken = false;
-    IslandSolver *m_next = nullptr; ///< another one of the thread
-};
-
-/// The solvers of a thread: one, and one more for each step of it that runs inside another.
-class IslandSolvers {
-public:
-    IslandSolvers() = default;
-    ~IslandSolvers();
-    IslandSolvers(const IslandSolvers &) = delete;
-    IslandSolvers &operator=(const IslandSolvers &) = delete;
-
-    /// One that no other pass has, empty.
-    IslandSolver *Take();
-    static void GiveBack(IslandSolver *solver) { solver->m_isTaken = false; }
-
-private:
-    IslandSolver *m_first = nullptr;
 };
 
 } // namespace bmr
