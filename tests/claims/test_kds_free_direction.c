@@ -78,13 +78,11 @@ static double ratio_of(const approach *p, double nearest) {
     return fmax(1.0, (test_diameter(p->a) + test_diameter(p->b) + 2.0 * margin) / (nearest - margin));
 }
 
-static approach drive(const char *name, test_path_kind kind, size_t rounds, uint64_t seed,
-                      unsigned *most_events) {
+static approach drive(const char *name, test_path_kind kind, size_t rounds, uint64_t seed) {
     approach p = {0};
     p.worst_claim = -INFINITY;
     p.worst_count = -INFINITY;
     test_random random = {seed};
-    *most_events = 0;
     for (size_t round = 0; round < rounds; ++round) {
         own_kds_body a = test_kds_body_make(
             test_polygon((test_family)test_random_below(&random, TEST_LENS + 1), 40, &random));
@@ -100,8 +98,6 @@ static approach drive(const char *name, test_path_kind kind, size_t rounds, uint
         const test_drive d = {.path = &path, .stop_at_contact = true, .on_event = look, .context = &p};
         const test_drive_result r = driven(name, &a, &b, &d);
         const unsigned events = (unsigned)test_drive_events(&r);
-        if (events > *most_events)
-            *most_events = events;
         p.worst_count = fmax(p.worst_count, events - log2(ratio_of(&p, r.nearest)));
     }
     return p;
@@ -111,8 +107,7 @@ static approach drive(const char *name, test_path_kind kind, size_t rounds, uint
 TEST(distance_times_slope_drops_to_a_quarter_on_convex_paths) {
     const test_path_kind convex[] = {TEST_PATH_LINE, TEST_PATH_PARABOLA};
     for (size_t c = 0; c < 2; ++c) {
-        unsigned most;
-        const approach p = drive("free-fd2", convex[c], test_scaled(150), 3 + c, &most);
+        const approach p = drive("free-fd2", convex[c], test_scaled(150), 3 + c);
         assert_true(p.pairs > 20);
         assert_true(p.worst_sum <= 1.0 + ROUNDING);
         assert_true(p.worst_product <= 0.25 + ROUNDING);
@@ -122,8 +117,7 @@ TEST(distance_times_slope_drops_to_a_quarter_on_convex_paths) {
 
 /// The control: an orbit is not convex, and there each event is like the one before.
 TEST(it_does_not_on_an_orbit) {
-    unsigned most;
-    const approach p = drive("free-fd2", TEST_PATH_ORBIT, 10, 5, &most);
+    const approach p = drive("free-fd2", TEST_PATH_ORBIT, 10, 5);
     assert_true(p.worst_product > 0.5);
     assert_true(p.worst_sum > 1.5);
 }
@@ -131,13 +125,11 @@ TEST(it_does_not_on_an_orbit) {
 TEST(the_distance_left_is_at_most_the_place_times_the_sine) {
     const test_path_kind any[] = {TEST_PATH_CUBIC, TEST_PATH_ORBIT, TEST_PATH_WANDER};
     for (size_t c = 0; c < sizeof any / sizeof *any; ++c) {
-        unsigned most;
-        const approach p = drive("free-fd2", any[c], test_scaled(20), 21 + c, &most);
+        const approach p = drive("free-fd2", any[c], test_scaled(20), 21 + c);
         assert_true(p.worst_lemma > 0.5 && p.worst_lemma <= 1.0 + ROUNDING);
     }
     // The control: lines across other directions.
-    unsigned most;
-    assert_true(drive("predict-adaptive", TEST_PATH_ORBIT, 20, 21, &most).worst_lemma > 1.0 + 1e-3);
+    assert_true(drive("predict-adaptive", TEST_PATH_ORBIT, 20, 21).worst_lemma > 1.0 + 1e-3);
 }
 
 #define PI 3.14159265358979323846
@@ -182,8 +174,7 @@ TEST(a_chain_costs_as_many_events_as_are_proved) {
 }
 
 TEST(no_certificate_claims_more_than_the_separation) {
-    unsigned most;
-    const approach p = drive("free-fd2", TEST_PATH_WANDER, test_scaled(20), 8, &most);
+    const approach p = drive("free-fd2", TEST_PATH_WANDER, test_scaled(20), 8);
     assert_true(p.worst_claim <= ROUNDING);
     // It is exact at an event, up to rounding: a claim of much less would be no closest direction.
     assert_true(p.worst_claim >= -ROUNDING);

@@ -222,53 +222,6 @@ TEST(the_sum_fits_its_block_at_every_rotation) {
         }
 }
 
-/// Hands out one place, again and again: for a polygon that is made without scratch memory.
-static _Alignas(64) unsigned char place[1024];
-static void *take_place(void *context, size_t size) {
-    (void)context;
-    return size <= sizeof place ? place : NULL;
-}
-static void leave_place(void *context, void *block, size_t size) {
-    (void)context, (void)block, (void)size;
-}
-
-static bmr_shape triangle_in_place(double width, const bmr_allocator *allocator) {
-    const bmr_vec2 vertices[] = {{0.0, 0.0}, {width, 0.0}, {0.0, 1.0}};
-    bmr_polygon *made = NULL;
-    assert_int_equal(bmr_polygon_create_raw(vertices, 3, allocator, &made), BMR_OK);
-    const bmr_shape shape = {.polygon = made};
-    return shape;
-}
-
-/// The hierarchy is kept while its polygon is freed and another made at the same address.
-TEST(a_hierarchy_of_a_polygon_that_is_no_more_is_refused) {
-    const bmr_allocator one_place = {take_place, leave_place, NULL};
-    const bmr_kds_info *info = test_structure("lazy-dudley");
-    const bmr_kds_def def = bmr_default_kds_def();
-    bmr_shape a = triangle_in_place(1.0, NULL), b = triangle_in_place(1.0, &one_place);
-    own_hierarchy *of_a = NULL, *of_b = NULL;
-    assert_int_equal(bmr_hierarchy_build_dudley(a.polygon, NULL, &of_a), BMR_OK);
-    assert_int_equal(bmr_hierarchy_build_dudley(b.polygon, NULL, &of_b), BMR_OK);
-    a.hierarchies[BMR_HIERARCHY_DUDLEY] = of_a;
-    // Of the second the old lines are support lines, up to rounding: the stamp alone tells.
-    const double widths[] = {2.0, 1.0 + 0x1p-48, 1.0};
-    for (int k = 0; k < 3; ++k) {
-        const bool same = widths[k] == 1.0;
-        b = triangle_in_place(widths[k], &one_place);
-        b.hierarchies[BMR_HIERARCHY_DUDLEY] = of_b;
-        const bmr_error expected = same ? BMR_OK : BMR_ERROR_WRONG_HIERARCHY;
-        assert_ptr_equal(bmr_hierarchy_polygon(of_b), b.polygon);
-        assert_int_equal(bmr_hierarchy_audit(of_b), same ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE);
-        bmr_kds *kds = NULL;
-        assert_int_equal(bmr_kds_create(info, &def, &a, &b, NULL, &kds), expected);
-        bmr_kds_destroy(kds, NULL);
-        kds = NULL;
-        assert_int_equal(bmr_kds_create(info, &def, &b, &a, NULL, &kds), expected);
-        bmr_kds_destroy(kds, NULL);
-    }
-    bmr_polygon_destroy((bmr_polygon *)(uintptr_t)a.polygon, NULL);
-}
-
 TEST(a_wrong_name_is_told_with_the_names_there_are) {
     static const char *const wrong[] = {"", "lazy", "lazy-dk", "Lazy-Dudley", "lazy-dudley ", "predict-"};
     const bmr_kds_info *const untouched = bmr_kds_at(3);

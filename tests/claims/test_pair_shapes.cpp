@@ -135,12 +135,12 @@ struct OnePlace {
 
 } // namespace
 
-TEST_CASE("a polygon that was made where another was freed is another") {
+TEST_CASE("a polygon that was made where another was freed is another, also to kinetic structures") {
     // Its hierarchy is kept: it is one of a polygon that is no more.
     OnePlace place;
     const Body box(Box(0.5, 0.5));
-    const std::vector<bmr_vec2> polygons[] = {Regular(60, 0.5, 0.1), Regular(60, 4.0, 0.7),
-                                              Regular(5, 4.0, 0.3)};
+    const std::vector<bmr_vec2> polygons[] = {Regular(60, 0.5, 0.1), Regular(60, 0.5 * (1.0 + 0x1p-48), 0.1),
+                                              Regular(60, 4.0, 0.7), Regular(5, 4.0, 0.3)};
     // Apart by a line of the small ones, and of the large ones; by disks; in contact.
     const bmr_pose poses[] = {At(0.1, 1.0, 0.2), At(0.2, 3.9, 0.1), At(9.0, 0.0, 0.4), At(0.2, 0.2, 0.0)};
     size_t lines = 0;
@@ -167,6 +167,22 @@ TEST_CASE("a polygon that was made where another was freed is another") {
                     REQUIRE(bmr_polygon_create_raw(after.data(), after.size(), &place.allocator, &again) ==
                             BMR_OK);
                     REQUIRE(again == made); // the same address
+                    if (hierarchy !=
+                        nullptr) { // it is refused, also where its lines are this one's to rounding
+                        const bool same = &before == &after;
+                        CHECK(bmr_hierarchy_audit(hierarchy) ==
+                              (same ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE));
+                        const bmr_shape of_box = box.Shape(structure);
+                        const bmr_kds_def of_kds = bmr_default_kds_def();
+                        for (const bmr_shape *first : {&std::as_const(kept), &of_box}) {
+                            bmr_kds *kds = nullptr;
+                            CHECK(bmr_kds_create(
+                                      test_structure(structure == 0 ? "lazy-compass" : "lazy-dudley"),
+                                      &of_kds, first, first == &of_box ? &kept : &of_box, nullptr,
+                                      &kds) == (same ? BMR_OK : BMR_ERROR_WRONG_HIERARCHY));
+                            bmr_kds_destroy(kds, nullptr);
+                        }
+                    }
                     // Made of the same vertices it is the same polygon, and the hierarchy is its own.
                     const bool own = &before == &after || structure == BMR_TWO_LINES;
                     const bmr_structure keeper = own ? def.structure : BMR_FREE_DIRECTION;
