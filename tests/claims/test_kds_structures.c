@@ -271,7 +271,7 @@ static const char *const names[] = {"lazy-compass", "lazy-dudley"};
 typedef struct coarsenings {
     bmr_kds_proof last; ///< after the event before
     double margin;
-    size_t seen, thin, poorer; ///< thin: by less than that part; poorer: by less than all of it
+    size_t thin, poorer; ///< thin: by less than that part; poorer: by less than all of it
 } coarsenings;
 
 /// By how much more than the margin the proof's line separates from its nearest corner.
@@ -291,7 +291,6 @@ static void look_at_coarsening(void *context, const test_drive_event *event) {
         return;
     const double rounding = 1e-6, finer = proved(&before, &event->now.pose, c->margin),
                  coarser = proved(&c->last, &event->now.pose, c->margin);
-    ++c->seen;
     c->thin +=
         coarser < (1.0 - rounding) * pow(COARSEN_PART, report->level_before - report->level_after) * finer;
     c->poorer += coarser < (1.0 - rounding) * finer;

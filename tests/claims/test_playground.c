@@ -11,7 +11,6 @@
 // --- Items of a picture of the playground's page, found in its numbers.
 
 typedef struct item {
-    int mark, ink, label;
     size_t count;
     const float *points;
 } item;
@@ -25,7 +24,7 @@ static bool find_item(const play_page *page, int numbers, int mark, int ink, int
         const size_t count = (size_t)head[4];
         *at += (int)(PLAY_ITEM_HEAD + 2 * count);
         if ((int)head[0] == mark && (int)head[1] == ink) {
-            *found = (item){mark, ink, (int)head[3], count, head + PLAY_ITEM_HEAD};
+            *found = (item){count, head + PLAY_ITEM_HEAD};
             return true;
         }
     }
