@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How worlds of polygons of any size behave: piles rest and gain no energy, stacks stand, wheels roll like
 // discs. The same worlds of many stock fixtures and of circles are the controls.
-#include <box2d/box2d.h>
-
 #include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
 #include "cases.h"
+#include "small_world.h"
 
 namespace {
 
@@ -33,11 +32,7 @@ public:
     }
 
     b2Body *AddTo(b2World &world, b2Vec2 at, float angle, float friction) const {
-        b2BodyDef def;
-        def.type = b2_dynamicBody;
-        def.position = at;
-        def.angle = angle;
-        b2Body *body = world.CreateBody(&def);
+        b2Body *body = AddBody(world, b2_dynamicBody, at, angle);
         b2FixtureDef fixture;
         fixture.density = 1.0f;
         fixture.friction = friction;
@@ -61,13 +56,8 @@ private:
     std::vector<b2PolygonShape> m_pieces;
 };
 
-void AddBox(b2World &world, float halfWidth, float halfHeight, b2Vec2 at, float angle, float friction) {
-    b2BodyDef def;
-    def.position = at;
-    def.angle = angle;
-    b2PolygonShape box;
-    box.SetAsBox(halfWidth, halfHeight);
-    world.CreateBody(&def)->CreateFixture(&box, 0.0f)->SetFriction(friction);
+void AddGround(b2World &world, b2Vec2 half, b2Vec2 at, float angle, float friction) {
+    AddBox(world, b2_staticBody, at, half, angle)->GetFixtureList()->SetFriction(friction);
 }
 
 void Step(b2World &world) {
@@ -121,9 +111,9 @@ Rest DropPile(Kind kind, int vertices, int coins, bool forget = false) {
     const int columns = std::max(4, coins / 6);
     const float halfWidth = 0.5f * spacing * static_cast<float>(columns) + 0.4f;
     b2World world(b2Vec2(0.0f, -10.0f));
-    AddBox(world, halfWidth + 1.0f, 1.0f, {0.0f, -1.0f}, 0.0f, 0.3f);
+    AddGround(world, {halfWidth + 1.0f, 1.0f}, {0.0f, -1.0f}, 0.0f, 0.3f);
     for (const float side : {-1.0f, 1.0f})
-        AddBox(world, 1.0f, 30.0f, {side * (halfWidth + 1.0f), 29.0f}, 0.0f, 0.3f);
+        AddGround(world, {1.0f, 30.0f}, {side * (halfWidth + 1.0f), 29.0f}, 0.0f, 0.3f);
     const Coin coin(kind, vertices, radius);
     shapes::Engine engine(7);
     for (int i = 0; i < coins; ++i) {
@@ -155,7 +145,7 @@ double RollDown(Kind kind, int vertices, float phase) {
     constexpr int steps = 300;
     b2World world(b2Vec2(0.0f, -10.0f));
     const b2Rot along(-slope);
-    AddBox(world, 60.0f, 1.0f, b2Mul(along, b2Vec2(0.0f, -1.0f)), -slope, 0.9f);
+    AddGround(world, {60.0f, 1.0f}, b2Mul(along, b2Vec2(0.0f, -1.0f)), -slope, 0.9f);
     const float height = radius + (kind == Kind::Circle ? b2_polygonRadius : kSkins);
     b2Body *wheel =
         Coin(kind, vertices, radius).AddTo(world, b2Mul(along, b2Vec2(-30.0f, height)), phase, 0.9f);
@@ -211,7 +201,7 @@ TEST_CASE("ten 64-gons stand on each other and sleep; many fixtures do not stand
     const float apothem = radius * std::cos(turn);
     auto drift = [&](Kind kind, int *asleepFrom) {
         b2World world(b2Vec2(0.0f, -10.0f));
-        AddBox(world, 20.0f, 1.0f, {0.0f, -1.0f}, 0.0f, 0.6f);
+        AddGround(world, {20.0f, 1.0f}, {0.0f, -1.0f}, 0.0f, 0.6f);
         const Coin coin(kind, vertices, radius, -0.5f * b2_pi + turn);
         std::vector<b2Body *> bodies;
         for (int i = 0; i < coins; ++i)
