@@ -66,8 +66,10 @@ inline bool Bodies::FindAwake(b2Body *newest, int32 count) {
     m_awake.Reserve(most + 1);
     const b2Body *next = newest;
     for (uint32_t i = m_count; i-- > 0;) {
-        if (i >= kAhead)
+        if (i >= kAhead) { // its flags, and its link: they lie in two lines of the cache
             BMR_PREFETCH(m_bodies[i - kAhead]);
+            BMR_PREFETCH(&(m_bodies[i - kAhead]->*Named(NextBody())));
+        }
         b2Body *const body = m_bodies[i];
         if (body != next) { // some have gone, and others were made
             m_count = 0;
