@@ -37,7 +37,7 @@ std::ifstream Opened(int descriptor) {
 }
 
 /// A command line for messages: the directory of the program says little and fills the line.
-std::string NameOf(const std::vector<std::string> &arguments) {
+std::string LineOf(const std::vector<std::string> &arguments) {
     std::string line = fs::path(arguments[0]).filename();
     for (size_t i = 1; i < arguments.size(); ++i)
         line += " " + arguments[i];
@@ -48,7 +48,7 @@ std::string NameOf(const std::vector<std::string> &arguments) {
 [[noreturn]] void Fail(const std::vector<std::string> &arguments, int status, std::ifstream errors) {
     // Enough for an assertion, a sanitizer's headline or a backtrace's top.
     constexpr size_t kErrorLines = 12;
-    std::string text = NameOf(arguments) + ": ";
+    std::string text = LineOf(arguments) + ": ";
     if (WIFSIGNALED(status))
         text +=
             "killed by signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) + ")";
@@ -239,10 +239,10 @@ nlohmann::json Workers::Run(const WorkerRequest &request, const WorkerOptions &o
                 onLine(line);
         });
     } catch (const nlohmann::json::exception &error) {
-        throw WorkerError(NameOf(arguments) + ": printed what cannot be read: " + error.what());
+        throw WorkerError(LineOf(arguments) + ": printed what cannot be read: " + error.what());
     }
     if (!summary.is_object())
-        throw WorkerError(NameOf(arguments) + ": ended without a summary");
+        throw WorkerError(LineOf(arguments) + ": ended without a summary");
     return summary;
 }
 

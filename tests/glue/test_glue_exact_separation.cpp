@@ -276,7 +276,7 @@ void CheckPictures(Run &run) {
     run.Expect(slack.claims > few && slack.caught > Rounds(1500) / 4, "there are slacks");
     run.Expect(lines > few / 3 && wrong == 0, "the line that is shown has the slack");
     run.Expect(wrongIfTurned > lines / 10, "control: a line that is turned has not");
-    run.Expect(notHeld == 0 && (run.RemembersEdges() || hulls > 100),
+    run.Expect(notHeld == 0 && (run.RemembersEdges() || hulls > few),
                "hulls and envelopes hold their bodies");
 }
 
