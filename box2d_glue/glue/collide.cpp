@@ -294,7 +294,7 @@ private:
     uint32_t Next();
     uint32_t TakeNewest(uint64_t *left) const;
     void Visit(uint32_t i);
-    bool PassesFilter(uint32_t i, b2Contact *contact);
+    bool PassesFilter(b2Contact *contact);
     void Destroy(uint32_t i, b2Contact *contact);
     void Wake(const b2Body *body, uint32_t i);
     void Update(uint32_t i, b2Contact *contact);
@@ -360,7 +360,7 @@ uint32_t CollidePass::TakeNewest(uint64_t *left) const {
     return m_word * 64 + bit;
 }
 
-bool CollidePass::PassesFilter(uint32_t i, b2Contact *contact) {
+bool CollidePass::PassesFilter(b2Contact *contact) {
     const bool ofGame = IsOfGame(m_manager->m_contactFilter); // ahead of the call: it may replace itself
     if (ofGame)
         BeforeGame();
@@ -369,8 +369,6 @@ bool CollidePass::PassesFilter(uint32_t i, b2Contact *contact) {
         SolidContact::FilteringIsDone(contact);
     if (ofGame)
         AfterGame();
-    if (passes && !m_table->WasLeft())
-        m_table->ClearBit(i, kToBeFiltered);
     return passes;
 }
 
@@ -433,7 +431,7 @@ void CollidePass::Prove(uint32_t i, b2Contact *contact) {
     m_table->Refresh(i);
     m_table->SetTouching(i, contact->IsTouching());
     SolidContact *ours = SolidContact::AsOurs(contact);
-    if (ours != nullptr && ours->IsOfPolygons() && !contact->IsTouching() && contact->IsEnabled() &&
+    if (ours != nullptr && ours->IsOfPolygons() && !contact->IsTouching() &&
         contact->GetManifold()->pointCount == 0 && !SolidContact::WantsFiltering(*contact))
         ProveApart(m_table, i, ours);
     else
@@ -447,10 +445,9 @@ void CollidePass::Visit(uint32_t i) {
     const bool hasLine = (m_table->Bits(i) & kHasLine) != 0;
     if (!hasLine)
         m_table->Refresh(i);
-    // Without a line the contact is read anyway.
-    // (A step by the list may have filtered it since it was flagged.)
-    if (((m_table->Bits(i) & kToBeFiltered) != 0 || !hasLine) && SolidContact::WantsFiltering(*contact)) {
-        const bool passes = PassesFilter(i, contact);
+    // A contact that is flagged for filtering loses its line (PairTable::Flag), and Prove gives it none.
+    if (!hasLine && SolidContact::WantsFiltering(*contact)) {
+        const bool passes = PassesFilter(contact);
         if (!passes) {
             Destroy(i, contact);
             return;

@@ -120,8 +120,7 @@ private:
     }
 
     bool Exists(const b2FixtureProxy &a, const b2FixtureProxy &b) const {
-        // (A filter may have made or ended contacts.)
-        if (m_table == nullptr || !m_table->IsWhole())
+        if (m_table == nullptr)
             return LinkedContact::ExistsInList(a, b);
         const bool exists = m_table->fixturePairs.HaveContact(a, b);
         if (Verifying())

@@ -92,8 +92,6 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     ++ContactAccess::CountOfImpacts(contact);
     if (!IsSolidAndTouches(*contact)) {
         contact->SetEnabled(false);
-        if (m_table != nullptr)
-            m_table->Flag(contact, 0);
         PutBack(a, sweepA);
         PutBack(b, sweepB);
         return false;
@@ -196,24 +194,20 @@ void ImpactPass::FindNewContacts() {
     CheckTable();
 }
 
-/// b2Contact::Update. Notes what it changes: who is awake, what is enabled.
+/// b2Contact::Update. Notes who is awake by now. (Meet or EndIsland forgets the contact's time of impact.)
 void ImpactPass::Update(b2Contact *contact) {
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
     const bool wasAwakeA = a->IsAwake(), wasAwakeB = b->IsAwake();
     b2ContactListener *const listener = m_manager->m_contactListener;
     const ContactChange change = UpdateContact(contact);
     if (m_table != nullptr)
-        m_table->Flag(contact, 0); // it is due in the next step, which reads whether it touches
+        m_table->Flag(contact); // it is due in the next step, which reads whether it touches
     CallListener(listener, contact, change, [this] { BeforeGame(); });
     CheckTable();
     const uint32_t i = m_table != nullptr ? m_table->NumberOf(contact) : PairTable::kNone;
     if (i == PairTable::kNone)
         return;
     m_table->deferred.NoteUpdated(i);
-    if (!m_table->impacts.IsKnown(i, contact))
-        m_table->impacts.asked.Set(i);
-    else if (m_table->impacts.parked.Has(i))
-        Queue(i, ContactAccess::TimeOfImpact(contact));
     if (!wasAwakeA && a->IsAwake())
         AskPairsOf(a);
     if (!wasAwakeB && b->IsAwake())

@@ -120,7 +120,7 @@ void NoteFiltering(const b2Body *body) {
         return;
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
         if (SolidContact::WantsFiltering(*edge->contact))
-            table->Flag(edge->contact, kToBeFiltered);
+            table->Flag(edge->contact);
 }
 
 } // namespace

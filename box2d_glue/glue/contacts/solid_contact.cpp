@@ -115,7 +115,7 @@ void SolidContact::NoteOtherCaller() const {
     if (table == nullptr)
         return;
     table->deferred.NoteGame(); // it may be the game that asks, in the midst of a call
-    table->Flag(this, 0);
+    table->Flag(this);
 }
 
 // Two polygons of Box2D's own size.

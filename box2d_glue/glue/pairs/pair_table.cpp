@@ -198,14 +198,13 @@ void PairTable::SetAsleep(uint32_t i) {
     m_toiCandidates.Set(i);
 }
 
-void PairTable::Flag(const b2Contact *contact, uint8_t bits) {
+void PairTable::Flag(const b2Contact *contact) {
     const uint32_t i = NumberOf(contact);
     if (i == kNone)
         return;
     if (!IsAwake(i))
         Awaken(i);
     SetDue(i);
-    m_bits[i] |= bits;
 }
 
 void PairTable::Awaken(const b2Body *body) {

@@ -54,8 +54,7 @@ struct ContactNumber : b2Contact {
 /// The bits of a pair.
 enum PairBit : uint8_t {
     kHasLine = 1,       ///< it was proved apart; its line renews the deadline
-    kToBeFiltered = 2,  ///< Box2D has flagged it for filtering
-    kNoImpactProof = 4, ///< its deadline says nothing of impacts
+    kNoImpactProof = 2, ///< its deadline says nothing of impacts
 };
 
 struct Pair {
@@ -252,7 +251,6 @@ public:
     b2Contact *Contact(uint32_t i) const { return m_contacts[i]; } ///< nullptr where it has ended
     const Pair &At(uint32_t i) const { return m_pairs[i]; }
     uint8_t Bits(uint32_t i) const { return m_bits[i]; }
-    void ClearBit(uint32_t i, uint8_t bit) { m_bits[i] &= static_cast<uint8_t>(~bit); }
 
     /// At the start of a step: does every contact of the world have its pair here, in the world's order?
     /// Begins anew where one does not. False where it cannot be, for now: the world is to be stepped by its
@@ -272,7 +270,7 @@ public:
                (newest == nullptr || NumberOf(newest) != kNone);
     }
     /// The contact was flagged for filtering, or updated by other code: its pair is due.
-    void Flag(const b2Contact *contact, uint8_t bits);
+    void Flag(const b2Contact *contact);
 
     // A pass over all pairs, newest first.
 
