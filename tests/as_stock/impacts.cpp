@@ -2,6 +2,7 @@
 // Worlds that change while Box2D looks for impacts, or before it does: who is a bullet, whom a joint names,
 // and where a centre of mass is.
 #include "as_stock.h"
+#include "boomerang/box2d_glue.h"
 
 using namespace as_stock;
 
@@ -153,4 +154,176 @@ AS_STOCK_HOW(
         bounced += asks ? 0 : Game::LeftOf(0.9f, shots) - Game::LeftOf(-0.5f, shots);
         game.TookPlace(bounced, "a shot bounces");
     }
+}
+
+namespace {
+
+/// Pairs that are apart, two that lean on each other, and two shots and a box in front of posts. The contact
+/// of the two that lean is older than the box's.
+struct Posts : Game {
+    explicit Posts(Run &run) : Game(run) {
+        for (int i = 0; i < 60; ++i)
+            apart.push_back(Near({3.0f * Real(i), 50.0f}));
+        Leaning({0.0f, 90.0f});
+        Step();
+        box = InFront(0.0f, 0.2f);
+        shot = InFront(10.0f, 0.1f);
+        later = InFront(20.0f, 0.1f);
+        Step(4);
+    }
+    b2Body *InFront(float y, float half) {
+        Wall({0.0f, y}, {0.05f, 1.0f});
+        return Awake({-0.05f - half - 0.15f, y}, {half, half});
+    }
+    /// The box's contact.
+    b2Contact *OfBox() const { return box->GetContactList()->contact; }
+    /// The shot's impact ends the next step half-way.
+    void StopNextStep() {
+        world.SetSubStepping(true);
+        shot->SetLinearVelocity({120.0f, 0.0f});
+        Step();
+        Stage(shot->GetPosition().x < -0.1f && shot->GetLinearVelocity().x < 1.0f, "the shot is stopped");
+    }
+    std::vector<b2Body *> apart;
+    b2Body *box, *shot, *later;
+};
+
+} // namespace
+
+// Of a contact that was disabled while impacts were searched for Box2D knows no time, and asks in the next
+// step. Of others it knows one, also where Boomerang did not read them and is made to forget the world.
+AS_STOCK("stopped: between two halves of a step a box grows that did not reach its post") {
+    for (const bool disables : {true, false}) {
+        Posts game(run);
+        if (disables)
+            game.Listen();
+        game.listener.preSolve.Once([&game] { game.OfBox()->SetEnabled(false); });
+        game.box->SetLinearVelocity({1.5f, 0.0f});
+        game.StopNextStep();
+        game.Stage(game.OfBox()->IsEnabled() != disables, "the contact is disabled");
+        PolygonOf(game.box)->SetAsBox(0.34f, 0.2f);
+        if (!disables)
+            bmr::Forget(&game.world);
+        game.Step(4);
+        game.TookPlace(game.Touching() - 1, "the box meets its post");
+    }
+}
+
+AS_STOCK("enabled: a listener disables a contact ahead of its impact, and enables it in another one") {
+    for (const bool isKnown : {false, true}) {
+        Posts game(run);
+        game.Listen();
+        int begun = 0, enabled = 0;
+        if (!isKnown)
+            game.listener.preSolve.Once([&game] { game.OfBox()->SetEnabled(false); });
+        game.listener.begin = [&] {
+            ++begun;
+            if (isKnown && begun == 1)
+                game.OfBox()->SetEnabled(false);
+            if (begun != (isKnown ? 2 : 1))
+                return;
+            enabled += game.OfBox()->IsEnabled() ? 0 : 1;
+            game.OfBox()->SetEnabled(true);
+        };
+        game.shot->SetLinearVelocity({120.0f, 0.0f});
+        game.box->SetLinearVelocity({60.0f, 0.0f});
+        game.later->SetLinearVelocity({10.0f, 0.0f});
+        game.Step(2);
+        game.TookPlace(enabled, "a contact is enabled");
+        game.TookPlace(Game::LeftOf(0.0f, {game.box}), "the box meets its post");
+    }
+}
+
+// A sleeper's sweep is that of its last step. This one's leads through the platform.
+AS_STOCK("woken: a shot wakes a platform, or a box that leans on it, and what has gone through it asleep is "
+         "put back") {
+    for (const bool leans : {false, true}) {
+        Game game(run);
+        for (int i = 0; i < 60; ++i)
+            game.Near({3.0f * Real(i), 50.0f});
+        b2Body *const platform = game.Body(b2_kinematicBody, {0.0f, 0.0f});
+        game.Box(platform, 0.05f, 1.0f);
+        b2Body *const through = game.Box({-0.5f, -0.6f}, {0.2f, 0.2f});
+        b2Body *const leaning = leans ? game.Box({-0.245f, 0.5f}, {0.2f, 0.2f}) : platform;
+        b2Body *const shot = game.Awake({leans ? -0.595f : -0.2f, 0.5f}, {0.1f, 0.1f});
+        shot->SetBullet(true);
+        game.Step(2);
+        game.world.SetContinuousPhysics(false);
+        through->SetLinearVelocity({60.0f, 0.0f});
+        game.Step();
+        game.Stage(through->GetPosition().x > 0.4f, "a box goes through the platform");
+        game.world.SetContinuousPhysics(true);
+        for (b2Body *body : {platform, through, leaning})
+            body->SetAwake(false);
+        shot->SetLinearVelocity({60.0f, 0.0f});
+        game.Step();
+        game.TookPlace(Game::LeftOf(0.0f, {through}), "it is put back");
+        game.Step(3);
+    }
+}
+
+AS_STOCK("half: in the second half of a step two come to touch that sleep again when the next one begins") {
+    Posts game(run);
+    b2Body *const left = game.Box({0.0f, -20.0f}), *const right = game.Box({1.05f, -20.0f});
+    game.Step(2);
+    for (b2Body *body : {left, right})
+        body->SetAwake(false);
+    game.Step();
+    game.StopNextStep();
+    Place(left, {0.055f, -20.0f});
+    left->SetAwake(true);
+    game.Step();
+    for (b2Body *body : {left, right})
+        body->SetAwake(false);
+    game.Step(2);
+    game.Listen();
+    game.listener.preSolve.Once([left] {
+        left->SetAwake(true);
+        left->SetLinearVelocity({1.0f, 0.0f});
+    });
+    const bool slept = !right->IsAwake();
+    game.Step();
+    game.TookPlace(slept && right->IsAwake(), "one wakes the other");
+}
+
+AS_STOCK(
+    "half: a listener disables a contact in the second half of a step, and a filter is asked ahead of the "
+    "next one") {
+    Posts game(run);
+    game.StopNextStep();
+    Place(game.apart[5], {15.79f, 50.0f});
+    game.Listen();
+    int disabled = 0;
+    game.listener.preSolve = [&disabled](b2Contact *contact) {
+        contact->SetEnabled(false);
+        ++disabled;
+    };
+    game.Step();
+    game.Ask();
+    game.Awake({15.0f, 51.0f}, {0.4f, 0.4f});
+    game.filter.asked = [&game] {
+        for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+            game.hash.Field("enabled", static_cast<uint32_t>(c->IsEnabled()));
+    };
+    game.Step();
+    game.TookPlace(disabled - 1, "contacts are disabled");
+    game.TookPlace(game.filter.count, "the filter is asked");
+}
+
+// Of its contacts the newest is updated ahead of the listener's call, the oldest behind it.
+AS_STOCK("half: in the second half of a step a listener has a box grow that was looked at") {
+    Posts game(run);
+    b2Body *const box = game.Awake({0.0f, -20.0f}, {0.2f, 0.2f});
+    game.Wall({0.4f, -20.0f}, {0.1f, 1.0f});
+    game.Step();
+    game.Leaning({0.0f, 120.0f});
+    game.Step();
+    game.Wall({-0.4f, -20.0f}, {0.1f, 1.0f});
+    game.Step(3);
+    game.StopNextStep();
+    game.Listen();
+    const int before = game.Touching();
+    game.listener.preSolve.Once([box] { PolygonOf(box)->SetAsBox(0.35f, 0.2f); });
+    game.Step();
+    game.TookPlace(game.Touching() - before, "the box meets a wall");
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Worlds that are rounded in another direction than to the nearest, as libraries for intervals leave a
 // thread; and needles that turn by next to nothing.
+#if defined(__SSE2__)
+#    include <xmmintrin.h>
+#endif
+
 #include "as_stock.h"
 
 using namespace as_stock;
@@ -87,6 +91,38 @@ AS_STOCK_HOW(kMayBeSilent, "turned: PostSolve changes how a thread is rounded, a
         game.TookPlace(turned, "the other rounding stays");
     }
 }
+
+#if defined(__SSE2__)
+// Box2D's answer for the sensor underflows nowhere. The square of its angle does.
+AS_STOCK_HOW(kMayBeSilent,
+             "trapped: an underflow ends the program while a sensor is asked, and from one call of a "
+             "listener's to the next") {
+    Game game(run);
+    std::vector<b2Body *> moved;
+    for (int i = 0; i < 60; ++i)
+        game.Near({3.0f * Real(i), 50.0f});
+    moved.push_back(game.Near({0.0f, 0.0f}));
+    game.Step();
+    b2PolygonShape square;
+    square.SetAsBox(0.5f, 0.5f);
+    game.Fixture(game.Body(b2_staticBody, {0.0f, 20.0f}, 1e-25f), square, true);
+    game.Awake({0.6f, 20.0f});
+    game.Step();
+    moved.push_back(game.Near({0.0f, 10.0f}));
+    game.Step(2);
+    for (b2Body *body : moved)
+        Place(body, body->GetPosition() - b2Vec2(0.105f, 0.0f));
+    game.Listen();
+    int calls = 0;
+    game.listener.begin = [&run, &calls] {
+        run.ChangesRounding();
+        _mm_setcsr(++calls == 1 ? _mm_getcsr() & ~unsigned{_MM_MASK_UNDERFLOW}
+                                : _mm_getcsr() | _MM_MASK_UNDERFLOW);
+    };
+    game.Step();
+    game.TookPlace(calls - 1, "there is a call that sets it, and one that ends it");
+}
+#endif
 
 // What is lost in each step is lost often.
 AS_STOCK("slow: needles turn by next to nothing in each step, until they meet") {
