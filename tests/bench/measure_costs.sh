@@ -65,7 +65,7 @@ inclusive() {
         function is_of(text) {
             return index(text, name) == 1 || index(text, pass "(") == 1
         }
-        BEGIN { pass = name; sub(/^.*::/, "bmr::", pass) }
+        BEGIN { pass = name; sub(/^.*::/, "bmr::", pass); sub(/SolveTOI/, "SolveImpacts", pass) }
         /^fn=/ { caller = named($0) }
         /^cfn=/ { callee = named($0) }
         /^calls=/ {
