@@ -37,6 +37,26 @@ AS_STOCK_HOW(kMayBeSilent, "linked: shots hit links of a long chain in one step"
     game.TookPlace(game.Touching(), "shots hit links");
 }
 
+// Box2D then takes the far sides of the two for those that face each other, and the two to touch.
+AS_STOCK("tilted: normals are written to of bars and of boxes that pass above them") {
+    const b2Vec2 tilted = b2Rot(b2_pi / 36.0f).GetXAxis();
+    Game game(run);
+    std::vector<b2Body *> boxes;
+    for (int i = 0; i < 60; ++i) {
+        const float x = 10.0f * Real(i);
+        PolygonOf(game.Wall({x, 0.0f}, {3.0f, 0.02f}))->m_normals[2] = tilted;
+        boxes.push_back(game.Awake({x + 3.14f, 0.19f}, {0.1f, 0.02f}));
+        PolygonOf(boxes.back())->m_normals[0] = -tilted;
+        boxes.back()->SetLinearVelocity({-1.0f, 0.0f});
+    }
+    int touched = 0;
+    for (int step = 0; step < 25; ++step) {
+        game.Step();
+        touched += game.Touching();
+    }
+    game.TookPlace(touched, "boxes are taken to touch");
+}
+
 // --- big shapes ---
 
 namespace {
