@@ -188,3 +188,38 @@ AS_STOCK("thrown: a body's shape is changed again and again, and each time an ex
         game.Step(2);
     }
 }
+
+// Islands to come hold joints with bodies that are made where others were, which touched.
+AS_STOCK(
+    "gone: PostSolve steps its world, and destroys bodies that touch; the next one makes others, and ties "
+    "them to what is in islands to come") {
+    Game game(run);
+    std::vector<b2Body *> gone, kept;
+    for (int i = 0; i < 80; ++i)
+        game.Near({3.0f * Real(i), 50.0f});
+    for (int i = 0; i < 10; ++i)
+        kept.push_back(game.Awake({4.0f * Real(i), 20.0f}));
+    game.Tie(game.Awake({0.0f, 30.0f}), game.Awake({9.0f, 30.0f})); // Box2D has room for as many joints
+    for (int i = 0; i < 10; ++i)
+        for (const float x : {0.0f, 0.995f})
+            gone.push_back(game.Awake({4.0f * Real(i) + x, 0.0f}));
+    for (int i = 0; i < 2; ++i)
+        game.Leaning({4.0f * Real(i), 90.0f}); // in the first two islands
+    game.Step(5);
+    game.Listen();
+    game.listener.postSolve.Once([&] {
+        game.StepWithin();
+        for (b2Body *body : gone)
+            game.world.DestroyBody(body);
+        game.listener.postSolve.Once([&] {
+            for (b2Body *body : kept)
+                game.Tie(game.Body(b2_dynamicBody, {0.0f, 40.0f}), body);
+        });
+    });
+    const int bodies = game.world.GetBodyCount();
+    game.Step();
+    game.TookPlace(bodies - game.world.GetBodyCount(), "bodies are destroyed");
+    for (int i = 0; i < 40; ++i)
+        game.Awake({4.0f * Real(i), 10.0f});
+    game.Step(5);
+}
