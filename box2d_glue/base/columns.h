@@ -111,9 +111,9 @@ private:
     uint32_t m_words = 0;
 };
 
-/// Finds the rows of another table by a key of 64 bits that each of them has, no two the same. Open
-/// addressing, at most half full. Four bytes a place: the keys stay with the rows, so every call is handed
-/// `keyOf(row)`.
+/// Finds the rows of another table by a key of 64 bits that each of them has. Of two with the same key it
+/// finds one. Open addressing, at most half full. Four bytes a place: the keys stay with the rows, so every
+/// call is handed `keyOf(row)`.
 class KeyTable {
 public:
     static constexpr uint32_t kNone = 0xffffffffu;

@@ -62,8 +62,7 @@ void FindNewContacts(b2ContactManager *manager);
 
 /// b2ContactManager::Destroy: tells the listener if the contact touches, takes it out of the lists of its
 /// world and bodies, and frees it. Its pair goes last: the listener may step the world, or end other
-/// contacts, and numbers stay; and it may make others, which get the proxies of a body that is being put out
-/// of the world.
+/// contacts, and numbers stay.
 void EndContact(b2ContactManager *manager, b2Contact *contact);
 
 } // namespace bmr

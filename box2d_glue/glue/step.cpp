@@ -67,7 +67,7 @@ void ClearForces(b2World *world, PairTable *table) {
 }
 
 /// The table that the step goes by. None where Box2D's list costs less; in a step that goes on with the
-/// impacts of the one before (sub-stepping); and in a step that a game makes inside another one.
+/// impacts of the one before (sub-stepping); and where another thread is in a step of this world.
 PairTable *TableOfStep(b2World *world, b2ContactManager *manager, float seconds) {
     PairTable *const table = PairTableForStep(manager);
     if (table == nullptr)

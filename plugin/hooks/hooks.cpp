@@ -49,10 +49,11 @@ void b2World::Step(float timeStep, int32 velocityIterations, int32 positionItera
         timed->End();
 }
 
-// The search for new pairs, where a step is not ours.
+// The search for new pairs, where a step is not ours. It makes no table: one that began in the middle of
+// Box2D's step would not know the marks that this step still makes.
 
 void b2ContactManager::FindNewContacts() {
-    if (PassesRun(HookOf::FindNewContacts))
+    if (PassesRun(HookOf::FindNewContacts) && FindPairTable(this) != nullptr)
         bmr::FindNewContacts(this);
     else
         stock::FindNewContacts(this);

@@ -61,6 +61,28 @@ AS_STOCK("own: a listener steps its own world") {
     }
 }
 
+// Without a search for impacts Box2D leaves its marks at the contacts until the next step.
+AS_STOCK("another world: a listener makes the first step of a world of many contacts, which then goes on by "
+         "itself") {
+    Game outer(run), inner(run);
+    inner.world.SetContinuousPhysics(false);
+    for (int i = 0; i < 60; ++i)
+        inner.Leaning({3.0f * Real(i), 0.0f});
+    inner.Listen();
+    outer.Leaning({0.0f, 0.0f});
+    outer.Listen();
+    int within = 0, solved = 0;
+    outer.listener.begin = [&inner, &within] {
+        ++within;
+        inner.world.Step(1.0f / 60.0f, 8, 3);
+    };
+    outer.Step();
+    inner.listener.postSolve = [&solved] { ++solved; };
+    inner.Step(20);
+    outer.TookPlace(within, "a listener steps another world");
+    inner.TookPlace(solved, "its contacts are solved afterwards");
+}
+
 /// Box2D calls nothing more of a contact after its PreSolve, nor after a sensor's BeginContact.
 AS_STOCK("ended: a listener ends the very contact that it is called for") {
     for (const bool ofSensors : {true, false}) {
