@@ -3,18 +3,11 @@
 #define BMR_GEOMETRY_DISTANCE_H
 
 #include "boomerang/distance.h"
+#include "geometry/polygon_query.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/// `steps` below: increased by one for every vertex or edge that is looked at. That is the one unit in which
-/// the library counts what a search costs.
-
-/// As bmr_polygon_support and bmr_polygon_support_from.
-uint32_t bmr_support_counted(const bmr_polygon *polygon, bmr_vec2 direction, unsigned *steps);
-uint32_t bmr_support_from_counted(const bmr_polygon *polygon, bmr_vec2 direction, uint32_t hint,
-                                  unsigned *steps);
 
 /// A support vertex found by climbing from `hint` (< count) for a few steps, else from scratch: O(1) when the
 /// answer is near, O(log n) at worst. The direction is not zero.
@@ -61,19 +54,6 @@ bool bmr_closest_direction(const bmr_polygon *a, const bmr_polygon *b, const bmr
 /// `near`, whose steps *start takes over. The pose must be finite.
 bool bmr_closest_start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a,
                        const bmr_simplex *near, bmr_simplex *start);
-
-/// The vertex that follows another counter-clockwise, and the one that precedes it.
-static inline uint32_t bmr_vertex_after(const bmr_polygon *p, uint32_t i) {
-    return i + 1 < p->count ? i + 1 : 0;
-}
-static inline uint32_t bmr_vertex_before(const bmr_polygon *p, uint32_t i) {
-    return i > 0 ? i - 1 : p->count - 1;
-}
-
-/// Along edge i, from its vertex to the next.
-static inline bmr_vec2 bmr_edge_vector(const bmr_polygon *p, uint32_t i) {
-    return bmr_sub(p->vertices[bmr_vertex_after(p, i)], p->vertices[i]);
-}
 
 /// As bmr_distance.
 bmr_error bmr_distance_counted(const bmr_polygon *a, const bmr_pose *pose_a, const bmr_polygon *b,

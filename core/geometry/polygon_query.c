@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/polygon_query.h"
+
 #include <math.h>
 
-#include "boomerang/polygon.h"
-#include "geometry/distance.h"
 #include "geometry/length.h"
 #include "geometry/predicates.h"
 

@@ -46,40 +46,6 @@ AS_STOCK("returning: a filter puts a body out of the world that is about to get 
     }
 }
 
-// Nobody may take a contact that is about to end for that of the one that came later.
-AS_STOCK(
-    "proxies: while the contacts end of a body that is put out of the world, another one gets its places "
-    "in the tree") {
-    for (const bool again : {false, true}) {
-        Game game(run);
-        for (int i = 0; i < 60; ++i)
-            game.Near({3.0f * Real(i), 50.0f});
-        // In the box of the bar, and on a post that came later.
-        game.Wall({0.0f, 0.0f}, {10.0f, 0.1f}, 0.25f * b2_pi);
-        b2Body *out = game.Box({5.0f, -5.0f});
-        game.Step(3);
-        game.Wall({5.995f, -5.0f});
-        game.Step(3);
-        out->SetAwake(false);
-        game.Listen();
-        b2Body *come = nullptr;
-        game.listener.end.Once([&game, &come] {
-            come = game.Awake({3.0f, -5.0f}, {0.3f, 0.3f});
-            game.StepWithin();
-        });
-        out->SetEnabled(false);
-        game.Step(3);
-        if (again) {
-            out->SetEnabled(true);
-            game.Step(3);
-        }
-        for (int i = 0; i < 20; ++i) {
-            come->SetTransform({3.0f - 0.3f * Real(i), -5.0f}, 0.0f);
-            game.Step();
-        }
-    }
-}
-
 // Box2D enables what it updates, and that is nothing that sleeps when its turn comes. Nobody listens, but
 // somebody filters.
 AS_STOCK("disabled: contacts are disabled whose bodies sleep, and are woken when the loop has passed them") {

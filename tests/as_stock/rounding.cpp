@@ -71,22 +71,6 @@ TEST_CASE("rounded: every third step is rounded otherwise, or a listener changes
             AsStock([=](Run &run) { PlayRounded(run, mode, listens); });
 }
 
-// Without a search for impacts Box2D leaves its marks at the contacts until the next step.
-AS_STOCK("first: the first step alone is rounded otherwise, in a world of many contacts") {
-    Game game(run);
-    game.world.SetContinuousPhysics(false);
-    for (int i = 0; i < 60; ++i)
-        game.Leaning({3.0f * Real(i), 0.0f});
-    game.Listen();
-    int solved = 0;
-    std::fesetround(FE_UPWARD);
-    game.Step();
-    std::fesetround(FE_TONEAREST);
-    game.listener.postSolve = [&solved] { ++solved; };
-    game.Step(20);
-    game.TookPlace(solved, "contacts are solved afterwards");
-}
-
 // Rows of boxes that are too near each other, and turn.
 AS_STOCK_HOW(kMayBeSilent, "turned: PostSolve changes how a thread is rounded, and that stays") {
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
