@@ -30,7 +30,7 @@ public:
     virtual void OnPostSolve(b2Contact & /*contact*/, const b2ContactImpulse & /*impulse*/) {}
 };
 
-/// The seed of a scene's random numbers unless told otherwise.
+/// The seed of a scene's random numbers if no --seed is given.
 constexpr unsigned long kSeed = 1;
 
 /// What is known of a scene without building it.
@@ -45,7 +45,7 @@ struct SceneInfo {
     int steps;
     std::unique_ptr<Scene> (*create)();
     float timeStep = 1.0f / 60.0f;
-    /// What its polygons are unless told otherwise; of 0 vertices: there is nothing to choose.
+    /// What its polygons are if no option chooses others; of 0 vertices: no option can.
     PolygonChoice polygons = {};
 };
 

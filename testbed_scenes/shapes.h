@@ -95,7 +95,7 @@ Fixtures AnySizePolygon(const PolygonChoice &choice, float radius, float phase =
 /// One shape with all these vertices: a b2PolygonShape up to 8, above what the plugin has. Each worker has
 /// its own; stock's throws std::runtime_error above 8.
 std::unique_ptr<b2Shape> MakeOnePolygon(const Outline &outline);
-/// All vertices of a polygon, whatever it is, in the body's frame.
+/// All vertices of a polygon, also of one with more than 8, in its body's frame.
 Outline VerticesOf(const b2PolygonShape &polygon);
 
 // --- concave bodies ---

@@ -58,9 +58,9 @@ class EventRecorder;
 /// data: addresses differ from run to run, numbers do not.
 class Stage final : private b2ContactListener, private b2DestructionListener {
 public:
-    /// What Box2D tells its listeners the recorder gets (nullptr: there is none) before the scene, which may
-    /// change the contact. The contact listener is installed only if there is a recorder or the scene
-    /// listens: a world that nobody listens to is what gets timed.
+    /// Box2D calls the stage, and the stage calls the recorder (nullptr: none) ahead of the scene, because a
+    /// scene may change the contact. The stage installs its contact listener only if there is a recorder or
+    /// the scene has a listener: where neither is, the commands time Box2D without one.
     Stage(Scene &scene, unsigned long seed, EventRecorder *recorder);
     Stage(const Stage &) = delete;
     Stage &operator=(const Stage &) = delete;

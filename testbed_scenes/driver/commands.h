@@ -51,9 +51,9 @@ std::string NearestClause(const std::string &word, const std::vector<std::string
 /// print. `app` has a name.
 std::string ExplainUsage(const CLI::App &app, const CLI::ParseError &error);
 
-/// Takes the whole numbers of a range. (CLI11's own Range takes 3.5 for one that is too large or too small,
-/// and without it -1 is the largest number there is.) Unless told otherwise `most` is more than anybody
-/// means.
+/// Accepts the whole numbers from `least` to `most`. CLI11's own Range says of 3.5 that it is out of range,
+/// and without a check CLI11 reads -1 as the largest unsigned number. The default of `most` is larger than
+/// any count that a command can use.
 CLI::Validator Whole(uint64_t least, uint64_t most = 100000000);
 
 /// Throws a UsageError: there is no such thing of that name, and which one is nearest.

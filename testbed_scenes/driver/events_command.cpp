@@ -31,7 +31,7 @@ struct EventsCommand {
     unsigned seeds = 3;
     std::string csv;
     bool noOptimum = false, quiet = false, list = false, box2d = false;
-    Experiment experiment; ///< what of it is told directly
+    Experiment experiment; ///< --n, --audit and files write here; the fields above give the rest
 };
 
 // --- what is asked for ---

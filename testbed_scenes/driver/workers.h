@@ -34,7 +34,7 @@ struct SceneInfo {
     std::string group;
     int64_t size = 0;
     int64_t steps = 0;
-    int64_t vertices = 0; ///< of its polygons unless told otherwise; 0: that cannot be chosen
+    int64_t vertices = 0; ///< of its polygons without --vertices; 0: the scene does not take --vertices
     std::string bodies;   ///< and what they are: one, many or circle
     /// Whether it is made of what stock Box2D does not have.
     bool NeedsPlugin() const { return vertices > 8 && bodies == "one"; }

@@ -50,7 +50,7 @@ struct WorldChoice {
     bool allPairs = false;
 };
 
-/// A scene, with the choice that it is unless told otherwise.
+/// A scene, with its own choice. Options replace parts of that.
 struct WorldScene {
     const char *description;
     WorldChoice choice;

@@ -10,12 +10,12 @@ using namespace as_stock;
 
 namespace {
 
-struct Looks {
+struct Updates {
     uint64_t watched, updates, renewals, impacts;
 };
 
 /// What the pairs of the game's world cost while `something` is done.
-Looks Spent(const std::function<void()> &something) {
+Updates Spent(const std::function<void()> &something) {
     const bmr::Counted before = bmr::internal::ReadCounts();
     something();
     const bmr::Counted after = bmr::internal::ReadCounts();
@@ -42,17 +42,17 @@ public:
     }
     static b2Vec2 PlaceOf(int i) { return Slanted(0.0f, 0.3f * Real(i)); }
 
-    /// In so many steps nobody updates at more than one in `most` of the pairs.
+    /// In `steps` steps the plugin updates at most one in `most` of the pairs.
     void ExpectQuiet(int steps, uint64_t most) {
-        const Looks spent = Spent([&] { game.Step(steps); });
+        const Updates spent = Spent([&] { game.Step(steps); });
         m_run.ExpectCounted(spent.watched > 100 && spent.updates * most <= spent.watched &&
                                 spent.impacts * most <= spent.watched,
                             "updates are spared, and times of impact");
     }
-    /// The pairs of one needle, and they alone, are looked at after this.
-    void ExpectLooks(const std::function<void(b2Body *)> &change, const char *what) {
+    /// After this the plugin updates the pairs of one needle, and no others.
+    void ExpectUpdates(const std::function<void(b2Body *)> &change, const char *what) {
         b2Body *const needle = needles[kCount / 2];
-        const Looks spent = Spent([&] {
+        const Updates spent = Spent([&] {
             change(needle);
             game.Step();
         });
@@ -82,21 +82,21 @@ AS_STOCK("updates are resumed after each kind of change, at the pairs that it co
     Needles world(run);
     world.game.Step(40);
     world.ExpectQuiet(10, 50);
-    world.ExpectLooks(
+    world.ExpectUpdates(
         [](b2Body *needle) { needle->SetTransform(needle->GetPosition() + Slanted(0.0f, 0.15f), kSlant); },
         "a body that was put elsewhere");
-    world.ExpectLooks([](b2Body *needle) { needle->SetTransform(needle->GetPosition(), kSlant + 0.05f); },
-                      "a body that was turned");
+    world.ExpectUpdates([](b2Body *needle) { needle->SetTransform(needle->GetPosition(), kSlant + 0.05f); },
+                        "a body that was turned");
     world.ExpectQuiet(10, 50);
-    world.ExpectLooks([](b2Body *needle) { PolygonOf(needle->GetFixtureList())->m_radius *= 1.5f; },
-                      "a skin that was changed in place");
-    world.ExpectLooks([&](b2Body *needle) { PolygonOf(needle->GetFixtureList())->SetAsBox(2.9f, 0.05f); },
-                      "vertices that were changed in place");
+    world.ExpectUpdates([](b2Body *needle) { PolygonOf(needle->GetFixtureList())->m_radius *= 1.5f; },
+                        "a skin that was changed in place");
+    world.ExpectUpdates([&](b2Body *needle) { PolygonOf(needle->GetFixtureList())->SetAsBox(2.9f, 0.05f); },
+                        "vertices that were changed in place");
     world.ExpectQuiet(10, 50);
-    world.ExpectLooks([](b2Body *needle) { needle->GetFixtureList()->SetSensor(true); }, "a sensor");
-    world.ExpectLooks([](b2Body *needle) { needle->GetFixtureList()->SetSensor(false); }, "solid again");
-    world.ExpectLooks([](b2Body *needle) { needle->GetFixtureList()->Refilter(); }, "filtered anew");
-    world.ExpectLooks(
+    world.ExpectUpdates([](b2Body *needle) { needle->GetFixtureList()->SetSensor(true); }, "a sensor");
+    world.ExpectUpdates([](b2Body *needle) { needle->GetFixtureList()->SetSensor(false); }, "solid again");
+    world.ExpectUpdates([](b2Body *needle) { needle->GetFixtureList()->Refilter(); }, "filtered anew");
+    world.ExpectUpdates(
         [](b2Body *needle) {
             b2MassData mass;
             needle->GetMassData(&mass);
@@ -114,7 +114,7 @@ AS_STOCK("bodies that wake are looked at, those that fall asleep no more") {
         needle->SetSleepingAllowed(true);
     world.game.Step(60);
     world.game.Stage(!world.needles[0]->IsAwake(), "all sleep");
-    const Looks asleep = Spent([&] { world.game.Step(20); });
+    const Updates asleep = Spent([&] { world.game.Step(20); });
     run.ExpectCounted(asleep.updates == 0, "nobody updates at sleeping pairs");
     for (int i = 2; i < 8; i += 3) {
         world.needles[static_cast<size_t>(i)]->SetAwake(true);
@@ -237,7 +237,7 @@ TEST_CASE("more than 65,536 fixtures, each with a pair of its own") {
             if (step == 3) // the last couples made, and with them rows of the highest numbers
                 for (size_t i = movers.size() - 40; i < movers.size(); i += 2)
                     movers[i]->SetTransform(movers[i]->GetPosition() - b2Vec2(0.07f, 0.0f), 0.0f);
-            const Looks spent = Spent([&] { world.Step(1.0f / 60.0f, 1, 1); });
+            const Updates spent = Spent([&] { world.Step(1.0f / 60.0f, 1, 1); });
             if (run.Counts() && step > 1)
                 run.Expect(spent.watched == kCouples && spent.updates <= 20, "updates are spared");
             print();

@@ -246,7 +246,7 @@ ContactChange UpdateContact(b2Contact *contact);
 
 static_assert(sizeof(PolygonContact) <= 224, "must stay in the block class of a stock contact");
 
-// What a game is asked and told of a contact.
+// Calls of the game's filter and listener for a contact.
 
 /// Is it a listener or a filter of the game's own? Those that worlds begin with are Box2D's, and do nothing.
 inline bool IsOfGame(const b2ContactListener *listener) {
