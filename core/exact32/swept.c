@@ -135,7 +135,7 @@ typedef struct question {
     const bmr_swept32 *a, *b;
     bmr_vec32 between; ///< from a's centre to b's, at the end
     bmr_vec32 back;    ///< how much more that is at the start
-    float apart, near; ///< asked for
+    float apart;       ///< asked for
     float swing;       ///< how far turning may bring points closer, at most
 } question;
 
@@ -225,26 +225,25 @@ static bmr_vec32 support(const question *q, bmr_vec32 n) {
 
 /// Searches for the point of the swept difference b - a that is nearest to the origin. Ends as soon as a
 /// direction keeps the two apart, or two of their points are so near that none can.
-static bmr_swept32_answer search(const question *q, bmr_vec32 n, bmr_vec32 *direction) {
+static bool search(const question *q, bmr_vec32 n, bmr_vec32 *direction) {
     if (!(q->swing <= FLT_MAX)) // a radius is infinite; the supports below would pass a NaN over
-        return BMR_SWEPT32_UNKNOWN;
+        return false;
     bmr_vec32 kept = support(q, n), other = kept, closest = kept;
     bool segment = false;
     for (int step = 0; step < MOST_STEPS; ++step) {
         const float length = root_of4(dot(closest, closest));
-        if (length <= q->near) // and no direction does better than the closest points known
-            return BMR_SWEPT32_NEAR;
-        if (!(length > 0.0f)) // the origin: no direction leads away from it
-            return BMR_SWEPT32_UNKNOWN;
+        // No direction does better than the closest points known, and none leads away from the origin.
+        if (length <= q->apart || !(length > 0.0f))
+            return false;
         n.x = closest.x / length;
         n.y = closest.y / length;
         float found;
         if (keeps_apart(q, n, &found)) {
             *direction = n;
-            return BMR_SWEPT32_APART;
+            return true;
         }
         if (!(found < length * (1.0f - least_gain)))
-            return BMR_SWEPT32_UNKNOWN;
+            return false;
         const bmr_vec32 w = support(q, n);
         const bmr_vec32 first = closest_on_segment(kept, w);
         const bmr_vec32 second = segment ? closest_on_segment(other, w) : first;
@@ -257,7 +256,7 @@ static bmr_swept32_answer search(const question *q, bmr_vec32 n, bmr_vec32 *dire
         other = w;
         segment = true;
     }
-    return BMR_SWEPT32_UNKNOWN;
+    return false;
 }
 
 /// From somewhere within a to somewhere within b, at the end: the centres of motion may be far outside.
@@ -270,31 +269,28 @@ static bmr_vec32 between_middles(const question *q) {
     return r;
 }
 
-static question ask(const bmr_swept32 *a, const bmr_swept32 *b, float apart, float near) {
+static question ask(const bmr_swept32 *a, const bmr_swept32 *b, float apart) {
     question q;
     q.a = a;
     q.b = b;
     q.between = minus(b->end, a->end);
     q.back = minus(b->back, a->back);
     q.apart = apart;
-    q.near = near;
     q.swing = a->radius * fabsf(a->turn) + b->radius * fabsf(b->turn);
     return q;
 }
 
 bool bmr_swept32_apart_along(const bmr_swept32 *a, const bmr_swept32 *b, float apart, bmr_vec32 direction) {
-    const question q = ask(a, b, apart, 0.0f);
+    const question q = ask(a, b, apart);
     float found;
     return keeps_apart(&q, direction, &found);
 }
 
-bmr_swept32_answer bmr_swept32_compare(const bmr_swept32 *a, const bmr_swept32 *b, float apart, float near,
-                                       bmr_vec32 *direction) {
-    const question q = ask(a, b, apart, near);
+bool bmr_swept32_find_apart(const bmr_swept32 *a, const bmr_swept32 *b, float apart, bmr_vec32 *direction) {
+    const question q = ask(a, b, apart);
     const bmr_vec32 hint = *direction;
     const bool hinted = dot(hint, hint) > 0.0f;
     float found;
-    if ((hinted && keeps_apart(&q, hint, &found)) || axis_keeps_apart(&q, direction))
-        return BMR_SWEPT32_APART;
-    return search(&q, hinted ? hint : between_middles(&q), direction);
+    return (hinted && keeps_apart(&q, hint, &found)) || axis_keeps_apart(&q, direction) ||
+           search(&q, hinted ? hint : between_middles(&q), direction);
 }

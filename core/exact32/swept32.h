@@ -44,21 +44,13 @@ typedef struct bmr_swept32 {
 /// is past `count` is read and not used).
 void bmr_swept32_make(bmr_swept32 *shape, const bmr_vec32 *points, int32_t count, const bmr_motion32 *motion);
 
-typedef enum bmr_swept32_answer {
-    BMR_SWEPT32_APART, ///< farther apart than the first distance during all of the motion
-    BMR_SWEPT32_NEAR, ///< two of their points, at the end or moved back with their centres, within the second
-                      ///< one
-    BMR_SWEPT32_UNKNOWN ///< neither is known
-} bmr_swept32_answer;
-
-/// Are the two farther apart than `apart` along one fixed direction during all of the motion, or nearer than
-/// `near` (at most `apart`)? True up to rounding. `direction`, from a to b, of unit length or zero, is tried
-/// first and replaced by the one that keeps them apart, if one is found. About 50 instructions where the
-/// first holds, and as many where one of the axes does; else a search of at most 8 more, each a step of
-/// Gilbert, Johnson and Keerthi's.
-/// Anything that is not a number: unknown. Nothing of finite numbers raises FE_INVALID or FE_DIVBYZERO.
-bmr_swept32_answer bmr_swept32_compare(const bmr_swept32 *a, const bmr_swept32 *b, float apart, float near,
-                                       bmr_vec32 *direction);
+/// Finds a fixed direction along which the two are farther apart than `apart` during all of the motion. True
+/// up to rounding; false: none was found. `direction`, from a to b, of unit length or zero, is tried first
+/// and replaced by the one that keeps them apart, if one is found. About 50 instructions where the first
+/// holds, and as many where one of the axes does; else a search of at most 8 more, each a step of Gilbert,
+/// Johnson and Keerthi's.
+/// Anything that is not a number: false. Nothing of finite numbers raises FE_INVALID or FE_DIVBYZERO.
+bool bmr_swept32_find_apart(const bmr_swept32 *a, const bmr_swept32 *b, float apart, bmr_vec32 *direction);
 
 /// Are the two farther apart than `apart` along this very direction, of unit length or zero, during all of
 /// the motion? True up to rounding; no search, some 50 instructions. Anything that is not a number: no.

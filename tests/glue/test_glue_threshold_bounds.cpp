@@ -349,7 +349,7 @@ double AxisError(double far) {
     return (axis + 3.0 * kUnit) * width + kUnit * far;
 }
 
-/// bmr_swept32_compare's own: points as seen from the centre, turned and turned back, products with a
+/// bmr_swept32_find_apart's own: points as seen from the centre, turned and turned back, products with a
 /// direction.
 double OwnPlaceError(double radius) {
     const double turned = PlaceError(0.0, 1.0);

@@ -13,8 +13,8 @@ void test_plain_swept32_make(bmr_swept32 *shape, const bmr_vec32 *points, int32_
                              const bmr_motion32 *motion);
 bool test_plain_swept32_apart_along(const bmr_swept32 *a, const bmr_swept32 *b, float apart,
                                     bmr_vec32 direction);
-bmr_swept32_answer test_plain_swept32_compare(const bmr_swept32 *a, const bmr_swept32 *b, float apart,
-                                              float near, bmr_vec32 *direction);
+bool test_plain_swept32_find_apart(const bmr_swept32 *a, const bmr_swept32 *b, float apart,
+                                   bmr_vec32 *direction);
 float test_plain_posed32_gap(const bmr_vec32 *a, int32_t count_a, const bmr_transform32 *at_a,
                              const bmr_vec32 *b, int32_t count_b, const bmr_transform32 *at_b,
                              bmr_vec32 direction, float *reach);

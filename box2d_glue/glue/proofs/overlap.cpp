@@ -84,8 +84,7 @@ Overlap Search(const Question &q) {
     bmr_vec32 direction = {0.0f, 0.0f};
     const bmr_swept32 a = Still(q.a, q.xfA), b = Still(q.b, q.xfB);
     const float rounding = Rounding(q, std::max(a.radius, b.radius)), apart = ApartBeyond(q, rounding);
-    return rounding <= std::numeric_limits<float>::max() &&
-                   bmr_swept32_compare(&a, &b, apart, apart, &direction) == BMR_SWEPT32_APART
+    return rounding <= std::numeric_limits<float>::max() && bmr_swept32_find_apart(&a, &b, apart, &direction)
                ? Overlap::kApart
                : Overlap::kUnknown;
 }

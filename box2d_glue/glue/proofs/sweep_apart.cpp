@@ -73,7 +73,7 @@ float NeverTouchBeyond(const SweptShape &a, const SweptShape &b) {
 bool NeverTouch(const SweptShape &a, const SweptShape &b, bmr_vec32 *direction) {
     const float distance = NeverTouchBeyond(a, b);
     return distance <= std::numeric_limits<float>::max() &&
-           bmr_swept32_compare(&a.points, &b.points, distance, distance, direction) == BMR_SWEPT32_APART;
+           bmr_swept32_find_apart(&a.points, &b.points, distance, direction);
 }
 
 bool NeverTouchAlong(const SweptShape &a, const SweptShape &b, bmr_vec32 direction) {
