@@ -163,10 +163,8 @@ private:
             corner.vertex = corner.neighbour = Begin(edge);
             corner.inner = IsInner(edge);
             const bool innerBefore = IsInner(Previous(edge));
-            if (corner.inner && !innerBefore)
-                corner.neighbour = GoesTo(edge);
-            else if (!corner.inner && innerBefore)
-                corner.neighbour = ComesFrom(edge);
+            if (corner.inner != innerBefore)
+                corner.neighbour = corner.inner ? GoesTo(edge) : ComesFrom(edge);
         }
         return bmr_convex32_create_piece(m_corners.Get(), count, m_allocator, &m_blocks[piece]);
     }

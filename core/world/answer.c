@@ -179,7 +179,6 @@ static bmr_error answer(bmr_world *w, bmr_body_pair *c, const bmr_response *resp
             bmr_body_pair_pass(w, c);
             return error;
         }
-        bmr_touch_move(touch, m.of);
     }
     const bmr_contact *contact = &touch->contact;
     return bmr_body_pair_resume(w, c, contact->placed, contact->approach[fastest(contact)]);

@@ -97,7 +97,10 @@ class Tree:
         asked = [(took[t["name"]][0], n) for n, t in enumerate(everyone, 1) if took.get(t["name"], (0, ""))[1] == "Passed"]
         numbers = {n for _, n in asked}
         words = {word for n, t in enumerate(everyone, 1) if n in numbers for word in t["command"] if word.startswith(f"{self.build}/")}
-        self.programs = sorted(os.path.relpath(word, self.build) for word in words if os.path.isfile(word))
+        self.programs = sorted(os.path.relpath(word, self.build) for word in words
+                               if os.path.isfile(word) and Path(word).open("rb").read(4) == b"\x7fELF")  # (a script is no target)
+        if not self.makes(*self.programs):
+            sys.exit(f"draw_faults.py: not all of these are targets: {self.programs}")
         self.batches = [[n for seconds, n in asked if low <= seconds < high] for low, high in ((0, 0.5), (0.5, 3), (3, 1e9))]
         failed = [name for name, (_, verdict) in took.items() if verdict != "Passed"]
         print(f"{len(asked)} tests are asked, which take {sum(s for s, _ in asked):.0f} s; not asked, for they fail: {failed}", flush=True)
