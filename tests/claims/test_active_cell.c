@@ -36,7 +36,7 @@ static bool put_on_border(const bmr_kds *kds, size_t i, bmr_pose *pose, bmr_vec2
 /// The point goes over a side at a small angle, so that nothing but the rate tells on which side it will be:
 /// a cell that is kept would be left again at the same time, for ever.
 TEST(a_border_crossed_at_any_angle_is_crossed) {
-    test_random random = {513};
+    test_random random = test_random_from(513);
     bmr_kds_def def = bmr_default_kds_def();
     def.margin = 1e-6;
     size_t crossed = 0, grown = 0;

@@ -13,7 +13,7 @@
 #include "polygons.h"
 
 static test_kds_body regular(size_t n) {
-    test_random random = {n};
+    test_random random = test_random_from(n);
     return test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
 }
 
@@ -127,7 +127,7 @@ TEST(the_separating_edge_has_its_own_line_and_the_nearest_vertex) {
 TEST(sums_that_are_too_large_are_refused) {
     const bmr_kds_def def = bmr_default_kds_def();
     const bmr_kds_info *info = test_structure("sum-triangle-dudley");
-    test_random random = {1};
+    test_random random = test_random_from(1);
     own_polygon *many = test_polygon(TEST_REGULAR, BMR_MAX_VERTICES / 2 + 1, &random);
     const bmr_vec2 far[] = {{0.75 * BMR_MAX_COORDINATE, 0.0}, {0.0, 0.75 * BMR_MAX_COORDINATE}, {0.0, 0.0}};
     own_polygon *large = made_polygon(far, 3);
@@ -142,7 +142,7 @@ TEST(sums_that_are_too_large_are_refused) {
 }
 
 TEST(a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none) {
-    test_random random = {3};
+    test_random random = test_random_from(3);
     own_polygon *p = test_polygon(TEST_REGULAR, 8, &random);
     const bmr_pose right = {{4.0, 0.0}, 1.0, 0.0};
     bmr_certificate k;
@@ -160,7 +160,7 @@ TEST(a_certificate_whose_bracket_is_wider_than_half_a_turn_is_none) {
 }
 
 TEST(a_polygon_beyond_the_range_is_refused) {
-    test_random random = {3};
+    test_random random = test_random_from(3);
     bmr_polygon *p = test_polygon(TEST_REGULAR, 8, &random);
     const bmr_polygon right = *p;
     bmr_vec2 *vertices = (bmr_vec2 *)p->vertices;

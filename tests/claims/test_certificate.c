@@ -76,7 +76,7 @@ TEST(a_half_plane_of_directions_is_a_bracket) {
 }
 
 TEST(a_nan_anywhere_never_holds) {
-    test_random random = {13};
+    test_random random = test_random_from(13);
     for (int trial = 0; trial < 100; ++trial) {
         setting s = random_setting(&random);
         double gap;
@@ -104,7 +104,7 @@ TEST(a_nan_anywhere_never_holds) {
 
 /// (Other tampering, and what a certificate's gap is worth: test_pair_properties.c, test_pair_oracle.cpp.)
 TEST(a_normal_longer_than_1_is_refused) {
-    test_random random = {14};
+    test_random random = test_random_from(14);
     for (int trial = 0; trial < 100; ++trial) {
         setting s = random_setting(&random);
         assert_int_equal(bmr_certificate_audit(&s.certificate, s.a, s.b, &s.pose), BMR_OK);

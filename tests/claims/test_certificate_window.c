@@ -66,7 +66,7 @@ static void measure(const bmr_polygon *p, bmr_vec2 d, double limit, widths *w) {
 
 static widths measure_many(void) {
     widths w = {INFINITY, INFINITY, INFINITY, 0.0, 0.0, INFINITY};
-    test_random random = {31};
+    test_random random = test_random_from(31);
     for (size_t round = 0; round < test_scaled(400); ++round)
         for (int family = 0; family < TEST_FAMILY_COUNT; ++family) {
             const size_t n = 5 + test_random_below(&random, 150);
@@ -140,7 +140,7 @@ static bool is_sound(const bmr_polygon *p, bmr_vec2 d, int lean) {
 /// Each point is `size` large: next to an edge of length 1 the rounding hides its edges, and products of
 /// lengths as short as 1e-235 are 0.
 TEST(points_that_are_polygons_themselves_stand_in_the_window) {
-    test_random random = {47};
+    test_random random = test_random_from(47);
     for (size_t round = 0; round < test_scaled(400); ++round) {
         bmr_vec2 points[12];
         const double size = pow(10.0, test_random_uniform(&random, -240.0, -8.0));

@@ -35,7 +35,7 @@ static cost mean_cost(const char *name, test_path_kind kind, bool rotates, size_
     const bmr_kds_info *info = test_structure(name);
     cost c = {0.0, 0.0};
     for (uint64_t seed = 1; seed <= SEEDS; ++seed) {
-        test_random random = {seed};
+        test_random random = test_random_from(seed);
         own_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
         own_kds_body b = info->domain == BMR_KDS_POINT
                              ? test_kds_point_make(0.0, 0.0)

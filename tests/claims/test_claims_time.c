@@ -26,7 +26,7 @@ typedef struct pairs {
 
 static pairs pairs_make(uint64_t seed) {
     pairs made;
-    test_random random = {seed};
+    test_random random = test_random_from(seed);
     for (size_t i = 0; i < SIZES; ++i) {
         made.a[i] = test_kds_body_make(test_polygon(TEST_ELLIPSE, sizes[i], &random));
         made.b[i] = test_kds_body_make(test_polygon(TEST_REGULAR, sizes[i], &random));
@@ -60,7 +60,7 @@ static void weigh(void *context, const test_drive_event *event) {
 static void follow(const char *name, const pairs *made, size_t i, int power, uint64_t seed, effort *e) {
     const test_path_kind kinds[] = {TEST_PATH_LINE, TEST_PATH_CUBIC};
     for (size_t k = 0; k < COUNT_OF(kinds); ++k) {
-        test_random random = {seed};
+        test_random random = test_random_from(seed);
         const bmr_polygon *a = made->a[i].polygon, *b = made->b[i].polygon;
         const test_path path =
             test_path_make(kinds[k], a, b, 2.0 * a->radius * pow(2.0, -power), false, &random);

@@ -150,7 +150,7 @@ TEST(the_audit_finds_what_is_wrong) {
 /// Of a needle whose short side is level, the area is known: half of base times height, both differences of
 /// two floats.
 TEST(masses_of_needles_are_exact) {
-    test_random random = {14};
+    test_random random = test_random_from(14);
     size_t made = 0, lost = 0;
     for (size_t k = 0; k < 100000; ++k) {
         const float scale = ldexpf(1.0f, (int)floor(test_random_uniform(&random, -40.0, -24.0)));

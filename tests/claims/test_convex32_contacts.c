@@ -88,7 +88,7 @@ TEST(large_polygons_are_apart_where_that_is_said) {
     const bmr_vec32 left[] = {{0.0f, 0.0f}, {0.0f, LENGTH}, {-1.0f, LENGTH}, {-1.0f, 0.0f}},
                     right[] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {1.0f, LENGTH}, {0.0f, LENGTH}};
     own_convex32 *const a = made_of(left, 4), *const b = made_of(right, 4);
-    test_random d = {1};
+    test_random d = test_random_from(1);
     size_t apart = 0;
     const size_t poses = test_scaled(20000);
     for (size_t i = 0; i < poses; ++i) {

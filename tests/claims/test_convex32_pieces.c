@@ -357,7 +357,7 @@ enum { AGAINST_POLYGON, AGAINST_PIECE, AGAINST_EDGE, AGAINST_CHAIN, AGAINST_CIRC
 /// may go ten skins farther. This holds at any pose and with any seams. The control: the piece's nearest face
 /// is often farther away.
 TEST(no_manifold_is_deeper_than_the_plain_polygons) {
-    test_random d = {1};
+    test_random d = test_random_from(1);
     const bmr_vec32 corners[] = {{0.42f, 0.42f}, {-0.42f, 0.42f}, {-0.42f, -0.42f}, {0.42f, -0.42f}};
     own_convex32 *box = made_convex32(corners, 4);
     const bmr_vec32 middle = {0.0f, 0.0f};

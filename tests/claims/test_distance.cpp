@@ -70,7 +70,7 @@ unsigned StepsOf(const Scene &s) {
 } // namespace
 
 TEST_CASE("a distance takes a logarithmic number of steps") {
-    test_random random = {77};
+    test_random random = test_random_from(77);
     unsigned most = 0, most_small = 0;
     for (const size_t n : {size_t{16}, size_t{256}, size_t{4096}, size_t{60000}})
         for (size_t round = 0; round < test_scaled(60); ++round) {
@@ -179,7 +179,7 @@ void Judge(const Points &a, const Points &b, const bmr_closest &closest, long do
 
 /// Two random polygons in random directions from one another, each time at a random distance.
 void RunOne(uint64_t seed, Tally &tally) {
-    test_random random = {seed};
+    test_random random = test_random_from(seed);
     const auto any = [&random]() {
         return test_polygon(static_cast<test_family>(test_random_below(&random, TEST_FAMILY_COUNT)),
                             3 + test_random_below(&random, 60), &random);
@@ -279,7 +279,7 @@ TEST_CASE("the search for a start takes logarithmically many steps, where vertic
     std::free(a);
     std::free(b);
     for (size_t n = 64; n <= 32768; n *= 8) {
-        test_random random = {n};
+        test_random random = test_random_from(n);
         bmr_polygon *p = test_polygon(TEST_ELLIPSE, n, &random), *q = test_polygon(TEST_CIRCLE, n, &random);
         unsigned mostHere = 0;
         for (int k = 0; k < 400; ++k) {

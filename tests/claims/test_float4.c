@@ -45,7 +45,7 @@ static float any_float(test_random *d) {
 
 /// In how many of so many rounds the two differ.
 static size_t differences(const float4_operation *one, const float4_operation *other, size_t rounds) {
-    test_random d = {7};
+    test_random d = test_random_from(7);
     size_t different = 0;
     for (size_t round = 0; round < rounds; ++round) {
         float a[4], b[4], x[4] = {0}, y[4] = {0};
@@ -141,14 +141,12 @@ typedef struct arrays {
     bmr_vec32 vertices[MOST], normals[MOST];
 } arrays;
 
-static test_random numbers = {0x9e3779b97f4a7c15u};
-
 static int random_below(int count) {
-    return (int)test_random_below(&numbers, (uint32_t)count);
+    return (int)test_random_below(&check_random, (uint32_t)count);
 }
 
 static float random_in(float low, float high) {
-    return (float)test_random_uniform(&numbers, (double)low, (double)high);
+    return (float)test_random_uniform(&check_random, (double)low, (double)high);
 }
 
 // The sign of a zero is the one bit that is not promised: separations are only ever compared, and a tie
@@ -169,7 +167,7 @@ static float number(flavour kind) {
     case HUGE_AND_TINY:
         return random_in(-1.0f, 1.0f) * powf(10.0f, (float)(random_below(77) - 38));
     default:
-        return any_float(&numbers);
+        return any_float(&check_random);
     }
 }
 
@@ -357,7 +355,7 @@ TEST(nan_never_enters_a_minimum) {
 // --- polygons of any size ---
 
 static size_t compare_big(size_t rounds, float reach_factor) {
-    test_random d = {13};
+    test_random d = test_random_from(13);
     size_t different = 0, apart = 0, touching = 0;
     for (size_t round = 0; round < rounds; ++round) {
         bmr_convex32_block *const a = random_convex32(&d, random_kind(&d), 3 + test_random_below(&d, 60)),

@@ -16,7 +16,7 @@ static bmr_hierarchy *built_soundly(bmr_hierarchy_kind kind, const bmr_polygon *
 }
 
 TEST(a_hierarchy_is_one_block_of_the_bytes_announced_and_none_is_none) {
-    test_random random = {3};
+    test_random random = test_random_from(3);
     own_polygon *p = test_polygon(TEST_CIRCLE, 50, &random);
     test_heap heap;
     test_heap_init(&heap, SIZE_MAX);
@@ -81,7 +81,7 @@ static bool is_sample(const bmr_polygon *p, bmr_vec2 x) {
 }
 
 TEST(dudley_adds_edges_whose_outer_normals_point_at_samples_of_the_circle) {
-    test_random random = {31};
+    test_random random = test_random_from(31);
     for (int round = 0; round < 50; ++round) {
         own_polygon *p = test_polygon(TEST_LENS, 40, &random);
         own_hierarchy *h = built_soundly(BMR_HIERARCHY_DUDLEY, p);
@@ -133,7 +133,7 @@ static void assert_refused(const bmr_hierarchy *h) {
 }
 
 TEST(audit_refuses_every_kind_of_damage) {
-    test_random random = {15};
+    test_random random = test_random_from(15);
     own_polygon *p = test_polygon(TEST_ELLIPSE, 37, &random);
     for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind) {
         own_hierarchy *h = built_soundly((bmr_hierarchy_kind)kind, p);
@@ -163,7 +163,7 @@ TEST(audit_refuses_every_kind_of_damage) {
 // --- inflated hierarchies (section 6; entries and widest edges: tests/random/fuzz_hierarchy.cpp) ---
 
 TEST(offsets_shrink_by_the_ratio_and_levels_end_at_the_depth) {
-    test_random random = {5};
+    test_random random = test_random_from(5);
     own_polygon *p = test_polygon(TEST_CIRCLE, 64, &random);
     own_hierarchy *h = test_hierarchy(BMR_HIERARCHY_COMPASS, p);
     const uint32_t depth = bmr_hierarchy_depth(h);

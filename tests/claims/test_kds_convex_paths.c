@@ -192,7 +192,7 @@ static test_chain_def any_chain(test_random *random) {
 /// Section 7, open question: hysteresis, path-sensitivity and all bounds, in one structure of linear size.
 /// None has more events than is proved of it.
 TEST(no_convex_path_is_above_its_bound) {
-    test_random random = {34};
+    test_random random = test_random_from(34);
     used w = {0.0, 0.0, 0.0, 0.0};
     for (size_t i = 0; i < test_scaled(3000); ++i) {
         if (i % 2) {
@@ -231,7 +231,7 @@ TEST(a_chain_refutes_the_free_direction_and_spares_the_inflated_ones) {
     static const char *const of_two[] = {"inflated-translation", "inflated-window"};
     static const char *const of_point[] = {"point-inflated-compass", "point-inflated-dudley",
                                            "point-complex"};
-    test_random random = {5};
+    test_random random = test_random_from(5);
     for (int deal = 0; deal < TEST_DEAL_COUNT; ++deal)
         for (size_t turn = 0; turn < test_scaled(30); ++turn) {
             const double first = 0.05 + 0.5 * (double)turn, second = 0.3 + 0.7 * (double)turn;
@@ -253,7 +253,7 @@ TEST(a_chain_refutes_the_free_direction_and_spares_the_inflated_ones) {
 
 TEST(twenty_four_vertices_cost_few_failures_until_the_contact) {
     const test_chain_def def = {21, 2.0, TEST_DEAL_POINT, {0.5, 0.5}, 0.0};
-    test_random random = {24};
+    test_random random = test_random_from(24);
     test_chain c = test_chain_make(&def, &random);
     assert_int_equal(c.body[0].polygon->count, 24);
     const double margin = bmr_default_kds_def().margin; // 2^-20
@@ -269,7 +269,7 @@ TEST(twenty_four_vertices_cost_few_failures_until_the_contact) {
 /// The ends of the fan of directions that separate by more than a part of the distance: there they separate
 /// by that part, and the search looked at O(log n) edges.
 TEST(the_fan_ends_where_its_separation_does) {
-    test_random random = {8};
+    test_random random = test_random_from(8);
     double worst = 0.0;
     for (size_t i = 0; i < test_scaled(3000); ++i) {
         const size_t most = i % 20 ? 60 : 2000;

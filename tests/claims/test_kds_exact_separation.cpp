@@ -166,7 +166,7 @@ void LookAtBorder(const bmr_kds_info *info, test_random *random, Border *border)
 } // namespace
 
 TEST_CASE("contact begins at the margin and ends at margin and hysteresis, up to the derived rounding") {
-    test_random random = {92};
+    test_random random = test_random_from(92);
     const std::size_t rounds = std::max<std::size_t>(test_scaled(120), 12);
     std::size_t past = 0;
     for (std::size_t i = 0; i < bmr_kds_count(); ++i) {
@@ -188,7 +188,7 @@ TEST_CASE("contact begins at the margin and ends at margin and hysteresis, up to
 
 TEST_CASE(
     "no structure is apart, nor its conditions positive, where the exact distance is within the margin") {
-    test_random random = {91};
+    test_random random = test_random_from(91);
     const std::size_t rounds = std::max<std::size_t>(test_scaled(60), 12);
     Tally all;
     for (std::size_t i = 0; i < bmr_kds_count(); ++i) {

@@ -82,7 +82,7 @@ static approach drive(const char *name, test_path_kind kind, size_t rounds, uint
     approach p = {0};
     p.worst_claim = -INFINITY;
     p.worst_count = -INFINITY;
-    test_random random = {seed};
+    test_random random = test_random_from(seed);
     for (size_t round = 0; round < rounds; ++round) {
         own_kds_body a = test_kds_body_make(
             test_polygon((test_family)test_random_below(&random, TEST_LENS + 1), 40, &random));
@@ -214,7 +214,7 @@ static void look_at_hold(void *context, const test_drive_event *event) {
 
 static hold hold_of(const char *name) {
     hold h = {NULL, NULL, INFINITY, INFINITY, 0};
-    test_random random = {41};
+    test_random random = test_random_from(41);
     // As many at every scale: the controls look for the worst that can be met.
     for (size_t round = 0; round < 120; ++round) {
         own_kds_body a = test_kds_body_make(

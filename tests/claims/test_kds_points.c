@@ -36,7 +36,7 @@ typedef struct pass {
 } pass;
 
 static test_drive_result drive(const char *name, const pass *p) {
-    test_random random = {p->seed};
+    test_random random = test_random_from(p->seed);
     own_kds_body a = test_kds_body_make(test_polygon(p->family, p->n, &random));
     own_kds_body b = test_kds_point_make(0.0, 0.0);
     const test_path path =
@@ -233,7 +233,7 @@ TEST(both_searches_find_the_same_triangles) {
 
 /// Chains are of one hierarchy.
 TEST(chains_of_another_hierarchy_are_refused) {
-    test_random random = {7};
+    test_random random = test_random_from(7);
     own_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random));
     own_kds_body c = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random));
     own_kds_body b = test_kds_point_make(0.0, 0.0);
@@ -510,7 +510,7 @@ static void look_at_complex(const bmr_kds *kds, test_random *random, bool drop_t
 
 /// Section 6: the dashed edges decompose Q'_0 without Q into a complex of triangles and trapezoids.
 TEST(the_inflated_complex_tiles_what_is_between_its_outermost_polygon_and_the_innermost) {
-    test_random random = {17};
+    test_random random = test_random_from(17);
     for (size_t round = 0; round < test_scaled(2); ++round)
         for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
             for (size_t n = 4; n <= 64; n *= 4) {

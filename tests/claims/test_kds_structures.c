@@ -7,7 +7,7 @@
 #include "motions.h"
 
 static test_kds_body regular(size_t n) {
-    test_random random = {n};
+    test_random random = test_random_from(n);
     return test_kds_body_make(test_polygon(TEST_REGULAR, n, &random));
 }
 
@@ -193,7 +193,7 @@ TEST(audits_find_a_stale_proof) {
 /// The memory that is set aside for an explicit Minkowski sum (section 5) is enough for every rotation, and
 /// linear.
 TEST(the_sum_fits_its_block_at_every_rotation) {
-    test_random random = {6};
+    test_random random = test_random_from(6);
     const size_t sizes[] = {3, 4, 5, 8, 9, 33, 64, 300};
     for (int family = 0; family < TEST_FAMILY_COUNT; ++family)
         for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k) {
@@ -298,7 +298,7 @@ static void look_at_coarsening(void *context, const test_drive_event *event) {
 
 TEST(a_coarser_line_after_a_roll_proves_a_good_part) {
     for (size_t i = 0; i < NAMES; ++i) {
-        test_random random = {505};
+        test_random random = test_random_from(505);
         coarsenings all = {.margin = 1e-7};
         for (int round = 0; round < 4; ++round) {
             own_kds_body a = test_kds_body_make(test_polygon(TEST_REGULAR, 1024, &random));

@@ -168,7 +168,7 @@ static void follow(const test_kds_body *a, const test_kds_body *b, const test_pa
 
 /// Section 7, open question: hysteresis, path-sensitivity and all bounds, in one structure of linear size.
 TEST(each_failure_under_translation_is_paid_for_by_a_direction_that_fails) {
-    test_random random = {48};
+    test_random random = test_random_from(48);
     used u = {0};
     for (size_t i = 0; i < test_scaled(600); ++i) {
         test_kds_body body[2];
@@ -202,7 +202,7 @@ TEST(each_failure_under_translation_is_paid_for_by_a_direction_that_fails) {
 /// Takes a structure along an orbit after a spin, told the spin `told` at each repair; the least slack over
 /// the gap after each repair but the first.
 static double slack_after_spin(const char *name, double told, size_t *repairs) {
-    test_random random = {49};
+    test_random random = test_random_from(49);
     own_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random)),
                  b = test_kds_body_make(test_polygon(TEST_REGULAR, 40, &random));
     bmr_kds_def def = bmr_default_kds_def();

@@ -18,7 +18,7 @@ static bmr_kds *made(const char *name, const test_kds_body *a, const test_kds_bo
 
 /// The controls: what an audit must see, put into the state by hand (it begins with the line).
 TEST(an_audit_refutes_what_is_false) {
-    test_random random = {4};
+    test_random random = test_random_from(4);
     own_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 30, &random));
     own_kds_body b = test_kds_body_make(test_polygon(TEST_REGULAR, 20, &random));
     const bmr_instant now = {test_pose_at(a.polygon, b.polygon, 0.4, 1.1, 0.3), {-0.3, 0.2}, 0.7};
@@ -62,7 +62,7 @@ TEST(an_audit_refutes_what_is_false) {
 /// A bracket ends sooner on the side that is nearer, and that is what counts where nobody knows which way it
 /// turns.
 TEST(a_bracket_lasts_as_long_as_its_nearer_side) {
-    test_random random = {12};
+    test_random random = test_random_from(12);
     size_t uneven = 0;
     for (size_t k = 0; k < NAMES; ++k)
         for (int i = 0; i < 20; ++i) {
@@ -119,7 +119,7 @@ static double life_of_start(const char *name, const test_kds_body *a, const test
 /// is left out: of an even number of edges one of two middle ones is the first, and turning round makes it
 /// the other.)
 TEST(the_mirror_image_of_a_way_finds_a_line_that_lasts_as_long) {
-    test_random random = {13};
+    test_random random = test_random_from(13);
     size_t ending = 0;
     for (size_t k = 0; k < NAMES; ++k)
         for (size_t i = 0; i < 50 && strcmp(names[k], "coarse") != 0; ++i) {

@@ -200,7 +200,7 @@ TEST(test_hysteresis_takes_the_least_of_each_kind) {
 }
 
 TEST(test_fits_find_power_and_logarithm) {
-    test_random random = {5};
+    test_random random = test_random_from(5);
     double x[12], power[12], logarithm[12];
     for (int k = 0; k < 12; k++) {
         x[k] = exp2(k + 1.0);

@@ -11,7 +11,7 @@
 #define PI 3.14159265358979323846
 
 TEST(test_diameter_is_the_largest_distance_of_two_vertices) {
-    test_random random = {1};
+    test_random random = test_random_from(1);
     for (int family = 0; family < TEST_FAMILY_COUNT; family++)
         for (size_t n = 3; n < 60; n += 7) {
             own_polygon *p = test_polygon((test_family)family, n, &random);

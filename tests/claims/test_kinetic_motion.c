@@ -69,7 +69,7 @@ static bmr_motion_piece random_piece(test_random *random) {
 }
 
 TEST(bounds_hold_and_are_not_idle) {
-    test_random random = {3};
+    test_random random = test_random_from(3);
     const size_t rounds = test_scaled(2000);
     double tightest = 0.0;
     size_t controls = 0;

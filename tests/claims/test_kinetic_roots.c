@@ -33,7 +33,7 @@ static double first_sign_change(const double *c, size_t degree, size_t cells) {
 }
 
 TEST(no_change_of_sign_is_passed_over) {
-    test_random random = {20240229};
+    test_random random = test_random_from(20240229);
     const size_t trials = test_scaled(4000), cells = 512;
     size_t with_root = 0, without = 0;
     for (size_t trial = 0; trial < trials; ++trial) {
@@ -134,7 +134,7 @@ TEST(the_queue_has_the_earliest_on_top_however_times_change) {
         times[i] = INFINITY;
     }
     assert_true(bmr_event_queue_time(&queue) == INFINITY);
-    test_random random = {5};
+    test_random random = test_random_from(5);
     for (int round = 0; round < 2000; round++) {
         const size_t item = (size_t)test_random_below(&random, ITEMS);
         const size_t time = (size_t)test_random_below(&random, 40); // ties, too

@@ -63,7 +63,7 @@ static bmr_kds_def tuned(void) {
 
 /// The least slack over the distance right after a start, all around and from near to far.
 static double least_slack(const char *name, shape of, uint32_t corner_levels) {
-    test_random random = {3};
+    test_random random = test_random_from(3);
     own_kds_body a = body_of(of, corner_levels, &random);
     const bmr_kds_info *info = test_structure(name);
     own_kds_body b =
@@ -111,7 +111,7 @@ TEST(the_slack_is_the_distance_over_beta_at_sharp_corners_too) {
 
 /// Two polygons alike.
 static stage alike(shape of, bmr_family family, uint64_t seed) {
-    test_random random = {seed};
+    test_random random = test_random_from(seed);
     const test_kds_body a = body_of(of, ROOT_LEVEL, &random);
     return stage_with(a, body_of(of, ROOT_LEVEL, &random),
                       (bmr_family_def){family, 20.0, seed, family == BMR_FAMILY_LINE ? 0 : 64, 0});
@@ -145,7 +145,7 @@ TEST(events_are_a_distance_over_beta_apart_and_no_more_than_a_clear_decompositio
 }
 
 TEST(a_table_of_too_few_levels_is_refused) {
-    test_random random = {1};
+    test_random random = test_random_from(1);
     own_polygon *square = polygon_of(SQUARE, &random);
     own_hierarchy *h = NULL;
     assert_int_equal(bmr_hierarchy_build_compass_with_corners(square, compass, TABLE_LEVELS + 1, NULL, &h),

@@ -146,7 +146,7 @@ static const bmr_kds_info *some_structure(size_t index) {
 }
 
 TEST(a_new_plan_costs_its_own_pairs_alone) {
-    test_random random = {99};
+    test_random random = test_random_from(99);
     scene s = make_scene(&random, 10, 20);
     watch w;
     bmr_simulation *simulation = begin(&s, some_structure(0), &w, NULL);
@@ -183,7 +183,7 @@ TEST(a_new_plan_costs_its_own_pairs_alone) {
 
 /// One runs into the other. In every second round it jumps away before the structure can be repaired.
 TEST(a_jump_just_behind_a_failure_comes_first) {
-    test_random random = {1};
+    test_random random = test_random_from(1);
     scene s = make_scene(&random, 2, 5);
     const bmr_motion_piece rests = bmr_piece_rest(pose_of(0.0, 0.0, 0.0)),
                            away = bmr_piece_rest(pose_of(-50.0, 0.0, 0.0));
@@ -205,7 +205,7 @@ TEST(a_jump_just_behind_a_failure_comes_first) {
 }
 
 TEST(twenty_bodies_run_long_and_take_no_memory) {
-    test_random random = {2};
+    test_random random = test_random_from(2);
     scene s = make_scene(&random, MOST_BODIES, 60);
     test_heap heap;
     test_heap_init(&heap, SIZE_MAX);
@@ -263,7 +263,7 @@ TEST(what_is_wrong_is_seen_and_ends) {
     static const bmr_kds_class lies = {sizeof(liar),   NULL,       NULL,      lie_start,
                                        lie_conditions, lie_repair, lie_proof, NULL};
     const bmr_kds_info info = {"liar", "", "", BMR_KDS_RIGID, false, -1, &lies};
-    test_random random = {8};
+    test_random random = test_random_from(8);
     scene s = make_scene(&random, 2, 10);
     for (size_t i = 0; i < 2; i++) {
         bmr_motion_destroy(s.motions[i]);

@@ -81,7 +81,7 @@ typedef struct scene {
 } scene;
 
 static scene make_scene(const bmr_kds_info *info) {
-    test_random random = {11};
+    test_random random = test_random_from(11);
     const bool point = info->domain == BMR_KDS_POINT;
     const double spin = info->domain == BMR_KDS_RIGID ? 5.0 : 0.0;
     const bmr_pose from = {{-3.0, 2.0}, 0.8, 0.6};

@@ -10,7 +10,7 @@
 /// Two polygons of radius 1 or so about their centres of mass; they live as long as the program.
 static const bmr_shape *shape_of(int which) {
     static bmr_shape shapes[2];
-    test_random random = {(uint64_t)which};
+    test_random random = test_random_from((uint64_t)which);
     if (!shapes[which].polygon) {
         own_polygon *any = test_polygon(TEST_CIRCLE, 40, &random);
         bmr_vec2 points[40];
@@ -25,7 +25,7 @@ static const bmr_shape *shape_of(int which) {
 
 /// side * side polygons of radius 1 at random velocities, 2.4 apart, whose contacts are elastic.
 static bmr_world *make_gas(int side, bmr_boundary boundary, bool all_pairs) {
-    test_random random = {5};
+    test_random random = test_random_from(5);
     bmr_world_def def = bmr_default_world_def();
     def.boundary = boundary;
     def.high = bmr_vec2_make(2.4 * side, 2.4 * side);

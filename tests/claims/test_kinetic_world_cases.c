@@ -158,7 +158,7 @@ static bmr_error cool(double restitution, bmr_zeno_policy zeno, uint64_t seed, d
     s->def.zeno = zeno;
     s->def.zeno_speed = 1e-3;
     const bmr_polygon *b = box(1.0);
-    test_random random = {seed};
+    test_random random = test_random_from(seed);
     for (int i = 0; i < 36; i++)
         drift(s, b, 3.0 * (i % 6) - 7.5, 3.0 * (i / 6) - 7.5, &random);
     const double before = bmr_world_get_totals(s->world).energy;

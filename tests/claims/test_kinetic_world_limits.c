@@ -56,7 +56,7 @@ TEST(far_from_the_origin_contacts_are_as_exact) {
     s->def.low = bmr_vec2_make(far - 6.0, -far - 6.0);
     s->def.high = bmr_vec2_make(far + 6.0, -far + 6.0);
     const bmr_polygon *b = box(1.0);
-    test_random random = {8};
+    test_random random = test_random_from(8);
     for (int i = 0; i < 9; i++)
         drift(s, b, far + 3.5 * (i % 3) - 3.5, 3.5 * (i / 3) - 3.5 - far, &random);
     const double before = bmr_world_get_totals(s->world).energy;
@@ -78,7 +78,7 @@ TEST(all_pairs_of_a_long_box_are_all) {
         s->def.low = bmr_vec2_make(-400.0, -4.0);
         s->def.high = bmr_vec2_make(400.0, 4.0);
         s->def.all_pairs = all;
-        test_random random = {3};
+        test_random random = test_random_from(3);
         for (int i = 0; i < BODIES; i++)
             fly(s, b, 20.0 * i - 400.0, test_random_uniform(&random, -4.0, 4.0),
                 test_random_uniform(&random, -9.0, 9.0), test_random_uniform(&random, -9.0, 9.0),

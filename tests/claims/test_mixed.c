@@ -107,7 +107,7 @@ static cover cover_of(const scene *s, bmr_vec2 x) {
 
 /// Lemma 4.3: the neighbour of a cell at a point of its border is found in O(log n).
 TEST(across_each_side_lies_the_tile_that_brute_force_finds) {
-    test_random random = {405};
+    test_random random = test_random_from(405);
     size_t compared = 0, inwards = 0, wrong_role = 0;
     unsigned most = 0;
     for (size_t round = 0; round < test_scaled(60); ++round) {
@@ -255,7 +255,7 @@ static double cells_per_vertex(bmr_hierarchy_kind kind, test_family family, size
 TEST(the_tiling_is_of_linear_size) {
     static const test_family families[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS};
     static const double bounds[] = {13.0, 5.0};
-    test_random random = {407};
+    test_random random = test_random_from(407);
     size_t too_many = 0;
     for (int kind = 0; kind < 2; ++kind)
         for (size_t n = 16; n <= 1024; n *= 4) {
@@ -284,7 +284,7 @@ TEST(the_tiling_is_of_linear_size) {
 /// becomes parallel to, so that how far any point is inside the one and inside the other adds up to |y|
 /// sin(y, line). At a collapse that is 0: one of the two conditions has failed by then, whatever the motion.
 TEST(a_cell_that_collapses_has_let_go_of_its_point_before) {
-    test_random random = {411};
+    test_random random = test_random_from(411);
     size_t cells = 0;
     double widest = 0.0;
     for (size_t round = 0; round < test_scaled(40); ++round) {
@@ -411,7 +411,7 @@ static bool is_full_turn(const changes *c, size_t na, size_t nb) {
 /// Lemma 4.2: a full turn of Q turns O(mn log m) pages.
 TEST(a_full_turn_has_one_page_turn_collapse_and_expansion_for_each_pair_of_edges) {
     static const test_family families[] = {TEST_CIRCLE, TEST_ELLIPSE, TEST_LENS, TEST_CLUSTER};
-    test_random random = {409};
+    test_random random = test_random_from(409);
     for (size_t round = 0; round < test_scaled(8); ++round) {
         const size_t n = 3 + test_random_below(&random, 9), m = 3 + test_random_below(&random, 9);
         own_scene s = scene_of(test_polygon(families[round / 2 % 4], n, &random),
@@ -483,7 +483,7 @@ static met met_by_line(const scene *s, bmr_vec2 x, bmr_vec2 along) {
 /// Lemma 4.4(b): a convex curve meets O(log(D/s)) and O(sqrt(D/s)) mixed triangles.
 TEST(tall_cells_are_few_and_a_line_meets_few_cells) {
     static const test_family families[] = {TEST_REGULAR, TEST_CIRCLE, TEST_ELLIPSE};
-    test_random random = {411};
+    test_random random = test_random_from(411);
     for (int kind = 0; kind < 2; ++kind) {
         double tall = 0.0, small = 0.0;
         size_t lines = 0, cells = 0, most = 0, most_triangles = 0, alone = 0, long_lines = 0;

@@ -225,7 +225,7 @@ TEST_CASE("the pieces are convex, and their union is the solid, exactly") {
     // 101,000 outlines; at a tenth, 100.
     const size_t rounds = test_scaled(10) * test_scaled(10) * test_scaled(101);
     for (size_t round = 0; round < rounds; ++round) {
-        test_random random = {round};
+        test_random random = test_random_from(round);
         const auto size = static_cast<uint32_t>(round % 60);
         CAPTURE(round);
         CheckExact(Shuffled(&random, Region(&random, 8, 20 + size, 0.4).Rings(true)));
@@ -245,7 +245,7 @@ TEST_CASE("the pieces are convex, and their union is the solid, exactly") {
 
 TEST_CASE("large outlines are cut exactly, too") {
     // Nothing in here takes more than a second: what grew with the square of the points would.
-    test_random random = {7};
+    test_random random = test_random_from(7);
     CheckExact(Fan(static_cast<uint32_t>(test_scaled(3000))));
     CheckExact(Spiral(static_cast<uint32_t>(2 * test_scaled(5000))));
     CheckExact(Region(&random, 100, static_cast<uint32_t>(test_scaled(9000)), 0.4).Rings(true));
@@ -254,7 +254,7 @@ TEST_CASE("large outlines are cut exactly, too") {
 TEST_CASE("small outlines without holes have the fewest pieces that there are") {
     const size_t rounds = test_scaled(1000);
     for (size_t round = 0; round < rounds; ++round) {
-        test_random random = {round + 1000};
+        test_random random = test_random_from(round + 1000);
         const auto size = static_cast<uint32_t>(round % 14);
         for (const Outline &outline :
              {Region(&random, 5, 4 + size, 0.4).Rings(true), Region(&random, 5, 4 + size, 0.0).Rings(true),
@@ -274,7 +274,7 @@ TEST_CASE("larger ones have at most 1.5 times as many, in the mean") {
     const size_t rounds = test_scaled(10);
     double sum = 0.0;
     for (size_t round = 0; round < rounds; ++round) {
-        test_random random = {round};
+        test_random random = test_random_from(round);
         const uint32_t count = BMR_OUTLINE_OPTIMAL_POINTS + 2;
         const Outline outline = round % 2 == 0 ? Silhouette(&random, count) : Star(&random, count);
         const Pieces made(outline);
@@ -392,7 +392,7 @@ void CheckWithin(test_random *random, const Outline &given, double tolerance) {
 TEST_CASE("simplified outlines are outlines, within the tolerance both ways") {
     const size_t rounds = test_scaled(120);
     for (size_t round = 0; round < rounds; ++round) {
-        test_random random = {round};
+        test_random random = test_random_from(round);
         const auto size = static_cast<uint32_t>(round % 40);
         CAPTURE(round);
         for (const double tolerance : {1e-3, 0.1, 0.5, 2.0}) {
@@ -427,7 +427,7 @@ TEST_CASE("where rings touch twice, no edge comes to lie on another") {
     Outline outline;
     outline.Add({{0.0, 0.0}, {2.0, -0.1}, {4.0, 0.0}, {4.0, 4.0}, {0.0, 4.0}});
     outline.Add({{0.0, 0.0}, {4.0, 0.0}, {2.0, 2.0}});
-    test_random random = {1};
+    test_random random = test_random_from(1);
     CheckExact(outline);
     CheckWithin(&random, outline, 0.5);
     // The hole touches the outer ring in one point, which need not stay; then it is filled.
@@ -439,9 +439,9 @@ TEST_CASE("where rings touch twice, no edge comes to lie on another") {
 TEST_CASE("without a tolerance a simplified outline loses what is within straight stretches, and no more") {
     const size_t rounds = test_scaled(40);
     for (size_t round = 0; round < rounds; ++round) {
-        test_random random = {round};
+        test_random random = test_random_from(round);
         const Outline all = Region(&random, 8, 20 + static_cast<uint32_t>(round), 0.0).Rings(true);
-        random = {round};
+        random = test_random_from(round);
         const Outline without = Region(&random, 8, 20 + static_cast<uint32_t>(round), 0.0).Rings(false);
         const Simplified simple(all, 0.0);
         CHECK(simple.outline.counts == without.counts);
@@ -454,7 +454,7 @@ TEST_CASE("silhouettes of 500 points become at most 12 pieces in the mean, those
     const size_t rounds = test_scaled(20);
     size_t pieces = 0;
     for (size_t round = 0; round < rounds; ++round) {
-        test_random random = {round};
+        test_random random = test_random_from(round);
         const Outline scanned = Silhouette(&random, 500);
         const auto by_x = [](bmr_vec2 a, bmr_vec2 b) { return a.x < b.x; };
         const auto by_y = [](bmr_vec2 a, bmr_vec2 b) { return a.y < b.y; };
@@ -473,7 +473,7 @@ TEST_CASE("silhouettes of 500 points become at most 12 pieces in the mean, those
 TEST_CASE("an outline weighs what its pieces weigh") {
     const size_t rounds = test_scaled(200);
     for (size_t round = 0; round < rounds; ++round) {
-        test_random random = {round};
+        test_random random = test_random_from(round);
         const Outline outline =
             Shuffled(&random, Region(&random, 8, 20 + static_cast<uint32_t>(round % 60), 0.4).Rings(true));
         const bmr_rings rings = outline.Rings();

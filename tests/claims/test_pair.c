@@ -110,7 +110,7 @@ TEST(far_poses_are_apart_up_to_the_largest_double) {
 }
 
 TEST(a_pair_does_not_allocate) {
-    test_random random = {5};
+    test_random random = test_random_from(5);
     FOR_EACH_STRUCTURE(s) {
         own_couple c = test_couple_make(s, ellipse(100, 0.4, 0.0), ellipse(60, 0.7, 0.0));
         static bmr_pose poses[2000];
@@ -135,7 +135,7 @@ TEST(a_pair_does_not_allocate) {
 TEST(a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step) {
     FOR_EACH_STRUCTURE(s) {
         own_couple c = test_couple_make(s, box(10.0, 1.0), box(1.0, 1.0));
-        test_random random = {8};
+        test_random random = test_random_from(8);
         size_t beyond = 0, steps = 5000;
         for (size_t i = 0; i < steps; ++i) {
             // What single precision makes of an angle of 0: noise, but for the sliding.

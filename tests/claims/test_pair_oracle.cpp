@@ -56,7 +56,7 @@ bool proves(const bmr_certificate &k, int owner, const Places &a, const Places &
 } // namespace
 
 TEST_CASE("no pair claims a gap that rational arithmetic denies, and none misses a contact") {
-    test_random random = {77};
+    test_random random = test_random_from(77);
     std::size_t apart = 0, contact = 0, bare_lies = 0, stale_lies = 0, disks = 0;
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         for (std::size_t round = 0; round < rounds(300); ++round) {
@@ -111,7 +111,7 @@ TEST_CASE("no pair claims a gap that rational arithmetic denies, and none misses
 }
 
 TEST_CASE("at distances near the margin the answer changes where it should, to within the stated slop") {
-    test_random random = {78};
+    test_random random = test_random_from(78);
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         for (std::size_t round = 0; round < rounds(40); ++round) {
             Couple t(static_cast<bmr_structure>(structure), 1, &random);
@@ -137,7 +137,7 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
 }
 
 TEST_CASE("the brute-force distance of the other tests is the exact one up to double rounding") {
-    test_random random = {79};
+    test_random random = test_random_from(79);
     std::size_t overlapping = 0, apart = 0;
     for (std::size_t round = 0; round < rounds(2000); ++round) {
         bmr_polygon *const a = test_any_polygon(12, &random), *const b = test_any_polygon(12, &random);

@@ -147,7 +147,7 @@ static void tamper(const trial *t, const bmr_pose *q, test_random *random, size_
 
 static void run_motions(bmr_structure structure, size_t motions, size_t largest, uint64_t seed,
                         size_t tampered[7]) {
-    test_random random = {seed + (uint64_t)structure};
+    test_random random = test_random_from(seed + (uint64_t)structure);
     for (size_t i = 0; i < motions; ++i) {
         own_trial t = begin(structure, (test_motion_kind)(i % TEST_MOTION_KIND_COUNT), largest, &random);
         for (int step = 0; step < STEPS; ++step) {

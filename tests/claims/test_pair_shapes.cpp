@@ -263,7 +263,7 @@ bmr_pose AnyPose(test_random *random, double reach) {
 } // namespace
 
 TEST_CASE("whatever a pair is advanced with next, what it says is true") {
-    test_random random = {1234};
+    test_random random = test_random_from(1234);
     const std::vector<std::unique_ptr<Body>> bodies = Bodies(&random);
     const auto any = [&]() -> const Body & {
         return *bodies[test_random_below(&random, static_cast<uint32_t>(bodies.size()))];
@@ -323,7 +323,7 @@ TEST_CASE("whatever a pair is advanced with next, what it says is true") {
 
 TEST_CASE("a pair of any bytes reads nothing but its shapes") {
     // What the stamp would let through once in 2^32 times: here it is right, and all the rest anything.
-    test_random random = {99};
+    test_random random = test_random_from(99);
     const std::vector<std::unique_ptr<Body>> bodies = Bodies(&random);
     size_t answers = 0;
     for (size_t i = 0; i < test_scaled(50000); ++i) {

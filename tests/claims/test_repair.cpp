@@ -354,7 +354,7 @@ TEST_CASE("garbage becomes outlines, and nothing changes sides that is farther t
     const World worlds[] = {{4, 1, 0},         {10, 1, 1000},  {10, 0, 0},
                             {40, 0.125, 8000}, {100, 0, 8000}, {3000, 1, 0}};
     const double snaps[] = {0.01, 0.1, 1.0, 3.0};
-    test_random random = {4};
+    test_random random = test_random_from(4);
     size_t outlines = 0, points = 0, inside = 0;
     double farthest = 0.0; // from the rings, of a place that changed sides; in snaps
     for (size_t n = test_scaled(3000); n > 0; --n) {

@@ -15,10 +15,8 @@
 
 enum { MOST = BMR_SWEPT32_MOST };
 
-static test_random random = {0x9e3779b97f4a7c15u};
-
 static float random_in(float low, float high) {
-    return (float)test_random_uniform(&random, (double)low, (double)high);
+    return (float)test_random_uniform(&check_random, (double)low, (double)high);
 }
 
 /// Signalling NaN: any arithmetic with it raises FE_INVALID.
@@ -35,7 +33,7 @@ static outline random_outline(void) {
     uint32_t *raw = (uint32_t *)(void *)o.points;
     for (int i = 0; i < 2 * MOST; ++i)
         raw[i] = trap_bits;
-    o.count = 1 + (int32_t)test_random_below(&random, MOST);
+    o.count = 1 + (int32_t)test_random_below(&check_random, MOST);
     const float size = powf(10.0f, random_in(-1.0f, 0.7f)), flat = random_in(0.05f, 1.0f);
     const bmr_vec32 center = {random_in(-1.0f, 1.0f), random_in(-1.0f, 1.0f)};
     const float from = random_in(-3.0f, 3.0f);
@@ -356,9 +354,10 @@ static size_t compare_forms(size_t rounds, make_form *scalar_make, bool strange)
         if (round % 8 == 0) // equal supports, zeros
             a.shape = b.shape = square(0.5f), a.motion.s = b.motion.s = 0.0f, a.motion.c = b.motion.c = 1.0f;
         b.motion.end.x += random_in(0.0f, 8.0f);
-        bmr_vec32 *const some = &a.shape.points[test_random_below(&random, (uint32_t)a.shape.count)];
+        bmr_vec32 *const some = &a.shape.points[test_random_below(&check_random, (uint32_t)a.shape.count)];
         if (strange)
-            *(test_random_below(&random, 2) ? &some->x : &some->y) = bad[test_random_below(&random, 4)];
+            *(test_random_below(&check_random, 2) ? &some->x : &some->y) =
+                bad[test_random_below(&check_random, 4)];
         const bmr_swept32 sa = swept(&a), sb = swept(&b);
         bmr_swept32 other;
         scalar_make(&other, a.shape.points, a.shape.count, &a.motion);

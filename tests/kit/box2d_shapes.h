@@ -20,7 +20,7 @@ namespace shapes {
 
 /// kit/random.h's, as a class.
 struct Engine {
-    explicit Engine(uint64_t seed) : random{seed} {}
+    explicit Engine(uint64_t seed) : random(test_random_from(seed)) {}
     test_random random;
 };
 

@@ -12,12 +12,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "random.h"
 #include "test_scale.h"
 
 /// @file
 /// Tests in C: a program is one source that includes this header, `main` is here. TEST(name) { ... } is a
-/// test, and needs no list. A check that fails ends its test; the program goes on with the next, and fails in
-/// the end. `PROGRAM PART` runs the tests whose names have this part. No test at all is a failure.
+/// test, and needs no list. A check that fails ends its test, which says how to run it again; the program
+/// goes on with the next, and fails in the end. `PROGRAM PART` runs the tests whose names have this part. No
+/// test at all is a failure.
 
 typedef struct check_test {
     const char *name;
@@ -28,6 +30,8 @@ typedef struct check_test {
 
 static check_test *check_tests;
 static jmp_buf check_leave;
+/// The same numbers for each test, whichever tests ran before it.
+static test_random check_random;
 
 /// By line, because compilers differ in the order of constructors.
 static inline void check_register(check_test *test) {
@@ -64,6 +68,25 @@ static inline void check_integers(long long a, long long b, bool equal, const ch
         check_failed(file, line, "%s: %lld and %lld", text, a, b);
 }
 
+static inline void check_strings(const char *a, const char *b, const char *text, const char *file, int line) {
+    if (strcmp(a, b) != 0)
+        check_failed(file, line, "%s: \"%s\" and \"%s\"", text, a, b);
+}
+
+static inline void check_memory(const void *a, const void *b, size_t size, const char *text, const char *file,
+                                int line) {
+    const unsigned char *const x = (const unsigned char *)a, *const y = (const unsigned char *)b;
+    for (size_t i = 0; i < size; i++)
+        if (x[i] != y[i])
+            check_failed(file, line, "%s: byte %zu of %zu is %02x and %02x", text, i, size, x[i], y[i]);
+}
+
+static inline void check_range(double a, double least, double most, const char *text, const char *file,
+                               int line) {
+    if (!(a >= least && a <= most))
+        check_failed(file, line, "%s: %.17g is not in [%.17g, %.17g]", text, a, least, most);
+}
+
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 #define fail_msg(...) check_failed(__FILE__, __LINE__, __VA_ARGS__)
 #define assert_true(condition) ((condition) ? (void)0 : fail_msg("not so: %s", #condition))
@@ -72,40 +95,42 @@ static inline void check_integers(long long a, long long b, bool equal, const ch
     check_integers((long long)(a), (long long)(b), true, #a " == " #b, __FILE__, __LINE__)
 #define assert_int_not_equal(a, b)                                                                           \
     check_integers((long long)(a), (long long)(b), false, #a " != " #b, __FILE__, __LINE__)
-#define assert_string_equal(a, b) assert_true(strcmp(a, b) == 0)
-#define assert_string_not_equal(a, b) assert_true(strcmp(a, b) != 0)
-#define assert_memory_equal(a, b, size) assert_true(memcmp(a, b, size) == 0)
+#define assert_string_equal(a, b) check_strings(a, b, #a " == " #b, __FILE__, __LINE__)
+#define assert_memory_equal(a, b, size) check_memory(a, b, size, #a " == " #b, __FILE__, __LINE__)
 #define assert_ptr_equal(a, b) assert_true((const void *)(a) == (const void *)(b))
-#define assert_float_equal(a, b, most) assert_true((a) - (b) <= (most) && (b) - (a) <= (most))
-#define assert_in_range(a, least, most) assert_true((a) >= (least) && (a) <= (most))
+#define assert_in_range(a, least, most)                                                                      \
+    check_range((double)(a), (double)(least), (double)(most), #a, __FILE__, __LINE__)
 #define assert_null(pointer) assert_true((pointer) == NULL)
 #define assert_non_null(pointer) assert_true((pointer) != NULL)
 
 #include "owned.h" // it makes things, and checks that they are
 
 /// Runs the tests whose names have `part`. 0 if there are any and none failed.
-static inline int check_run(const char *part) {
+static inline int check_run(const char *program, const char *part) {
     static int ran, failed; // static: longjmp must not lose them
     ran = failed = 0;
     for (check_test *volatile test = check_tests; test; test = test->next) {
         if (!strstr(test->name, part))
             continue;
         ran++;
+        check_random = test_random_from(1);
         if (setjmp(check_leave) == 0) {
             test->run();
             printf("passed: %s\n", test->name);
-        } else {
-            printf("FAILED: %s\n", test->name);
-            failed++;
+            continue;
         }
+        failed++;
+        printf("FAILED: %s. Again: %s %s", test->name, program, test->name);
+        if (test_random_last.drawn > 0)
+            printf(". After %llu random numbers of the seed %llu", (unsigned long long)test_random_last.drawn,
+                   (unsigned long long)test_random_last.seed);
+        putchar('\n');
     }
     return ran > 0 && failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-#ifndef CHECKS_OWN_MAIN
 int main(int argc, char **argv) {
-    return check_run(argc > 1 ? argv[1] : "");
+    return check_run(argv[0], argc > 1 ? argv[1] : "");
 }
-#endif
 
 #endif

@@ -20,7 +20,7 @@ bmr_hierarchy *test_hierarchy(bmr_hierarchy_kind kind, const bmr_polygon *polygo
 
 void test_visit_hierarchies(const size_t *sizes, size_t size_count, size_t rounds, uint64_t seed,
                             test_visitor visit, void *context) {
-    test_random random = {seed};
+    test_random random = test_random_from(seed);
     for (size_t round = 0; round < rounds; ++round)
         for (size_t i = 0; i < size_count; ++i)
             for (int family = 0; family < TEST_FAMILY_COUNT; ++family) {

@@ -13,7 +13,23 @@ typedef struct test_random {
     uint64_t state;
 } test_random;
 
+/// What a test that fails says of its random numbers: the seed that was begun with last, and how many were
+/// drawn since. One for all sources of a program, and for each of its threads.
+typedef struct test_random_record {
+    uint64_t seed, drawn;
+} test_random_record;
+__attribute__((weak)) __thread test_random_record test_random_last;
+
+/// Every test begins so, that its failure names the seed.
+static inline test_random test_random_from(uint64_t seed) {
+    const test_random random = {seed};
+    const test_random_record record = {seed, 0};
+    test_random_last = record;
+    return random;
+}
+
 static inline uint64_t test_random_next(test_random *random) {
+    ++test_random_last.drawn;
     uint64_t z = random->state += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;

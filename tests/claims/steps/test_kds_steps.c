@@ -58,7 +58,7 @@ static const size_t sizes[] = {12, 128, 2048};
 #define SIZES (sizeof sizes / sizeof *sizes)
 
 static void drive(const bmr_kds_info *info, size_t n, uint64_t seed) {
-    test_random random = {seed};
+    test_random random = test_random_from(seed);
     const test_family family = seed % 2 ? TEST_ELLIPSE : TEST_LENS;
     own_kds_body a = test_kds_body_make(test_polygon(family, n, &random));
     own_kds_body b = info->domain == BMR_KDS_POINT
@@ -102,7 +102,7 @@ static test_couple couple_make(bmr_structure structure, size_t n, size_t m, test
 }
 
 static void step_pair(test_motion_kind kind, bmr_structure structure, size_t n, uint64_t seed, tally *t) {
-    test_random random = {seed};
+    test_random random = test_random_from(seed);
     own_couple c = couple_make(structure, n, n, &random);
     test_motion motion = test_motion_make(kind, c.shape[0].polygon, c.shape[1].polygon, &random);
     for (int i = 0; i < 2000; ++i) {
@@ -137,7 +137,7 @@ static double steps_of_coarsening(bmr_structure structure, size_t n, size_t m) {
     double steps = 0.0;
     size_t repairs = 0;
     for (uint64_t seed = 1; seed <= 10; ++seed) {
-        test_random random = {seed};
+        test_random random = test_random_from(seed);
         own_couple c = couple_make(structure, n, m, &random);
         const bmr_polygon *a = c.shape[0].polygon, *b = c.shape[1].polygon;
         const double direction = test_random_uniform(&random, 0.0, 6.28),
@@ -171,7 +171,7 @@ TEST(a_coarsening_pair_does_not_climb_to_the_best_line_of_each_level) {
 /// Blocks that `build` takes for each vertex of polygons of n vertices.
 static double blocks_a_vertex(test_family family, size_t n, bmr_hierarchy_kind kind,
                               const bmr_compass *compass) {
-    test_random random = {n};
+    test_random random = test_random_from(n);
     own_polygon *polygon = test_polygon(family, n, &random);
     assert_non_null(polygon);
     own_hierarchy *made = NULL;
@@ -183,7 +183,7 @@ static double blocks_a_vertex(test_family family, size_t n, bmr_hierarchy_kind k
 
 /// The same of a search by halves for each vertex.
 static double blocks_a_search(size_t n) {
-    test_random random = {n};
+    test_random random = test_random_from(n);
     own_polygon *polygon = test_polygon(TEST_REGULAR, n, &random);
     const uint64_t before = blocks;
     for (uint32_t i = 0; i < polygon->count; ++i)
