@@ -47,7 +47,8 @@ int32_t bmr_mixed_stage(const bmr_mixed *mixed, const bmr_mixed_cell *cell) {
 
 // --- lines, corners, orders ---
 
-bmr_line bmr_mixed_line(const bmr_mixed *mixed, int body, bmr_edge edge) {
+/// The line of an edge in the frame of its own body, with the offset.
+static bmr_line edge_line(const bmr_mixed *mixed, int body, bmr_edge edge) {
     bmr_line line = bmr_hierarchy_line(mixed->hierarchies[body], edge);
     line.offset += mixed->offset;
     return line;
@@ -65,7 +66,7 @@ static bmr_vec2 meet(const bmr_mixed *mixed, int body, bmr_edge before, bmr_edge
     return bmr_add(p, bmr_scale(mixed->offset / (1.0 + bmr_dot(m, n)), bmr_add(m, n)));
 }
 
-bmr_vec2 bmr_mixed_corner(const bmr_mixed *mixed, int body, bmr_edge before, bmr_edge after) {
+static bmr_vec2 edge_corner(const bmr_mixed *mixed, int body, bmr_edge before, bmr_edge after) {
     const bmr_hierarchy *h = mixed->hierarchies[body];
     return meet(mixed, body, before, after, bmr_hierarchy_line(h, before).normal,
                 bmr_hierarchy_line(h, after).normal);
@@ -74,8 +75,8 @@ bmr_vec2 bmr_mixed_corner(const bmr_mixed *mixed, int body, bmr_edge before, bmr
 /// The point of a corner of one body plus that of a corner of the other: the same bits for every caller.
 static bmr_vec2 sum(const bmr_mixed *mixed, int body, bmr_edge before, bmr_edge after, bmr_edge other_before,
                     bmr_edge other_after) {
-    const bmr_vec2 p = bmr_mixed_corner(mixed, body, before, after);
-    const bmr_vec2 q = bmr_mixed_corner(mixed, 1 - body, other_before, other_after);
+    const bmr_vec2 p = edge_corner(mixed, body, before, after);
+    const bmr_vec2 q = edge_corner(mixed, 1 - body, other_before, other_after);
     // The sum of two doubles does not depend on their order: the bits are the same whichever body comes
     // first.
     return bmr_add(into_a(mixed, body, p), into_a(mixed, 1 - body, q));
@@ -179,11 +180,8 @@ static const bmr_mixed_part parts[][BMR_MIXED_MAX_SIDES] = {
                          {BMR_MIXED_INNER, 1, LINE_Y, CORNER_B, 1},
                          {BMR_MIXED_LOW, 0, LINE_R, CORNER_LOW, 1}},
     [BMR_MIXED_OUTSIDE] = {{BMR_MIXED_INNER, 0, LINE_E, CORNER_V, 1}}};
-static const size_t part_counts[] = {[BMR_MIXED_TRIANGLE] = 3,
-                                     [BMR_MIXED_BEFORE] = 4,
-                                     [BMR_MIXED_AFTER] = 4,
-                                     [BMR_MIXED_OUTSIDE] = 1,
-                                     [BMR_MIXED_INSIDE] = 0};
+static const size_t part_counts[] = {
+    [BMR_MIXED_TRIANGLE] = 3, [BMR_MIXED_BEFORE] = 4, [BMR_MIXED_AFTER] = 4, [BMR_MIXED_OUTSIDE] = 1};
 /// The corners of the polygon: one of the owner's and one of the other's.
 static const uint8_t vertices[][BMR_MIXED_MAX_SIDES][2] = {
     [BMR_MIXED_TRIANGLE] = {{CORNER_A, CORNER_V}, {CORNER_C, CORNER_V}, {CORNER_B, CORNER_V}},
@@ -225,7 +223,7 @@ void bmr_mixed_draw(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bmr_mixe
     for (int of = 0; of < 2; ++of)
         for (int i = 0; i < 3; ++i)
             if (f->edges[of][i] != BMR_NO_EDGE)
-                f->lines[of][i] = bmr_mixed_line(mixed, of ? 1 - f->owner : f->owner, f->edges[of][i]);
+                f->lines[of][i] = edge_line(mixed, of ? 1 - f->owner : f->owner, f->edges[of][i]);
     if (cell->kind != BMR_MIXED_OUTSIDE) {
         f->corners[0][CORNER_C] = figure_corner(mixed, f, 0, LINE_L, LINE_R);
         if (cell->kind != BMR_MIXED_AFTER)
@@ -267,38 +265,6 @@ bool bmr_mixed_holds(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bmr_vec
     while (i < figure.sides && bmr_mixed_figure_value(mixed, &figure, i, x) >= 0.0)
         ++i;
     return i == figure.sides;
-}
-
-size_t bmr_mixed_sides(const bmr_mixed *mixed, const bmr_mixed_cell *cell,
-                       bmr_mixed_side sides[BMR_MIXED_MAX_SIDES]) {
-    // The edges that meet in each corner of a figure.
-    static const uint8_t meeting[2][3][2] = {
-        {{LINE_L, LINE_E}, {LINE_L, LINE_R}, {LINE_E, LINE_R}},
-        {{LINE_BEFORE, LINE_Y}, {LINE_Y, LINE_AFTER}, {LINE_BEFORE, LINE_AFTER}}};
-    bmr_edge edges[2][3];
-    if (cell->kind == BMR_MIXED_INSIDE)
-        return 0;
-    name_edges(mixed, cell, edges);
-    for (size_t i = 0; i < part_counts[cell->kind]; ++i) {
-        const bmr_mixed_part *part = &parts[cell->kind][i];
-        const int at = 1 - part->of;
-        const uint8_t *pair = meeting[at][part->corner];
-        sides[i].edge = edges[part->of][part->line];
-        sides[i].corner[0] = edges[at][pair[0]];
-        sides[i].corner[1] = edges[at][pair[1]];
-        sides[i].role = part->role;
-        sides[i].owner = part->of ? (uint8_t)(1 - cell->owner) : cell->owner;
-        sides[i].beyond = part->beyond;
-    }
-    return part_counts[cell->kind];
-}
-
-double bmr_mixed_side_value(const bmr_mixed *mixed, const bmr_mixed_side *side, bmr_vec2 x) {
-    const bmr_line line = bmr_mixed_line(mixed, side->owner, side->edge);
-    const bmr_vec2 corner = bmr_mixed_corner(mixed, 1 - side->owner, side->corner[0], side->corner[1]);
-    const bmr_vec2 v = into_a(mixed, 1 - side->owner, corner);
-    const bmr_vec2 n = into_a(mixed, side->owner, line.normal);
-    return (double)side->beyond * (bmr_dot(n, bmr_sub(x, v)) - line.offset);
 }
 
 size_t bmr_mixed_polygon(const bmr_mixed *mixed, const bmr_mixed_cell *cell,

@@ -4,6 +4,10 @@
 
 #include "hierarchy/mixed_cells.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// @file
 /// What the files of the mixed hierarchy share. Directions and points here are in A's frame; those of body 1
 /// are those of -B.
@@ -30,7 +34,7 @@ bmr_mixed_cell bmr_mixed_cell_make(bmr_mixed_kind kind, int owner, bmr_edge edge
 /// corner `corner` of the other one of the two.
 typedef struct bmr_mixed_part {
     uint8_t role, of, line, corner;
-    int8_t beyond; ///< as in bmr_mixed_side
+    int8_t beyond; ///< 1: the cell is beyond the line as seen from the line's body; -1: on that body's side
 } bmr_mixed_part;
 
 /// All that a cell's sides are made of, each line and corner computed once. Of the owner: the edges L, e, R
@@ -45,11 +49,11 @@ typedef struct bmr_mixed_figure {
     bmr_vec2 corners[2][3];
     int owner;
 } bmr_mixed_figure;
-/// Not for INSIDE. O(level) for a parallelogram, else O(1).
+/// Not for INSIDE. OUTSIDE has one side, its certificate. O(level) for a parallelogram, else O(1).
 void bmr_mixed_draw(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bmr_mixed_figure *figure);
-/// bmr_mixed_side_value of side i.
+/// How far x is on the cell's side of side i's line (length units; negative: not).
 double bmr_mixed_figure_value(const bmr_mixed *mixed, const bmr_mixed_figure *figure, size_t i, bmr_vec2 x);
-/// bmr_mixed_polygon.
+/// bmr_mixed_polygon: side i goes from corner i to corner i + 1.
 void bmr_mixed_figure_polygon(const bmr_mixed *mixed, const bmr_mixed_cell *cell,
                               const bmr_mixed_figure *figure, bmr_vec2 corners[BMR_MIXED_MAX_SIDES]);
 /// Does the cell exist at this rotation, and hold x?
@@ -67,4 +71,7 @@ size_t bmr_mixed_tiling_most_bytes(const bmr_hierarchy *a, const bmr_hierarchy *
 /// Builds the tiling of `mixed` in a block of that many bytes, aligned for any type.
 void bmr_mixed_tiling_build(bmr_mixed_tiling *tiling, const bmr_mixed *mixed, size_t bytes);
 
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -68,23 +68,8 @@ typedef enum bmr_mixed_role {
     BMR_MIXED_HIGH
 } bmr_mixed_role;
 
-/// One side: it lies on the line where a corner of one body is on an edge's line of the other.
-typedef struct bmr_mixed_side {
-    bmr_edge edge;      ///< of body `owner`
-    bmr_edge corner[2]; ///< of the other body: the meeting point of these two
-    uint8_t role;       ///< bmr_mixed_role
-    uint8_t owner;
-    int8_t beyond; ///< 1: the cell is beyond the edge's line as seen from its owner; -1: on the owner's side
-} bmr_mixed_side;
 #define BMR_MIXED_MAX_SIDES 4
-/// The sides in counter-clockwise order; returns how many: 3 or 4, and 1 for OUTSIDE (INNER: its
-/// certificate), 0 for INSIDE. O(level).
-size_t bmr_mixed_sides(const bmr_mixed *mixed, const bmr_mixed_cell *cell,
-                       bmr_mixed_side sides[BMR_MIXED_MAX_SIDES]);
-/// How far x is on the cell's side of the line (length units; negative: not).
-double bmr_mixed_side_value(const bmr_mixed *mixed, const bmr_mixed_side *side, bmr_vec2 x);
-/// The corners in counter-clockwise order, sides[i] from corner i to corner i + 1; returns how many: 3, 4 or
-/// 0.
+/// The corners in counter-clockwise order; returns how many: 3 or 4, and 0 for OUTSIDE and INSIDE.
 size_t bmr_mixed_polygon(const bmr_mixed *mixed, const bmr_mixed_cell *cell,
                          bmr_vec2 corners[BMR_MIXED_MAX_SIDES]);
 /// What the cell needs of the rotation: edge `first` of body `owner` comes before edge `second` of the other.
@@ -97,10 +82,6 @@ typedef struct bmr_mixed_order {
 void bmr_mixed_orders(const bmr_mixed *mixed, const bmr_mixed_cell *cell, bmr_mixed_order orders[2]);
 /// Do both hold at this rotation, so that the tuple is a cell of it? O(1).
 bool bmr_mixed_exists(const bmr_mixed *mixed, const bmr_mixed_cell *cell);
-
-/// The line of an edge and the point of a corner in the frame of their own body, with the offset.
-bmr_line bmr_mixed_line(const bmr_mixed *mixed, int body, bmr_edge edge);
-bmr_vec2 bmr_mixed_corner(const bmr_mixed *mixed, int body, bmr_edge before, bmr_edge after);
 
 /// A way through configuration space. On which side of it a corner of the tiling lies is decided by one sign
 /// for all cells that share the corner: a walk cannot contradict itself, however thin a cell is.

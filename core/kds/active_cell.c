@@ -143,17 +143,15 @@ static size_t held_conditions(const held_cell *held, bool turns, bmr_condition *
 }
 
 static void held_proof(const held_cell *held, bmr_kds_proof *out) {
-    bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
-    const size_t count = bmr_mixed_sides(&held->mixed, &held->cell, sides);
-    size_t i = 0;
-    while (i + 1 < count && sides[i].role != BMR_MIXED_INNER)
-        ++i;
-    const int owner = sides[i].owner, other = 1 - owner;
+    int owner;
+    const bmr_edge edge = held_edge(held, &owner);
+    const bmr_hierarchy *other = held->mixed.hierarchies[1 - owner];
+    bmr_mixed_order orders[2]; // of the corner's first edge and the line's, and of the line's and the second
+    bmr_mixed_orders(&held->mixed, &held->cell, orders);
     out->owner = owner;
-    out->line = bmr_hierarchy_line(held->mixed.hierarchies[owner], sides[i].edge);
-    out->nearest = bmr_hierarchy_corner_point(
-        held->mixed.hierarchies[other],
-        bmr_hierarchy_corner(held->mixed.hierarchies[other], sides[i].corner[0], sides[i].corner[1]));
+    out->line = bmr_hierarchy_line(held->mixed.hierarchies[owner], edge);
+    out->nearest =
+        bmr_hierarchy_corner_point(other, bmr_hierarchy_corner(other, orders[0].first, orders[1].second));
     if (owner == 1) { // the line has B's displacement: out until all of B itself is behind it
         out->line.normal = bmr_rotate(&held->displacement, out->line.normal);
         out->line.offset += bmr_dot(out->line.normal, held->displacement.position) + held->room;
@@ -394,7 +392,7 @@ static bool find_from_cell(bmr_kds *kds, bmr_vec2 x, unsigned *touched) {
     if (!held_is_cell(&s->held)) { // M_0 is entered through the edge that was held, or near it
         if (hold_outside(s, x))
             return true;
-        const bmr_vec2 n = bmr_mixed_line(&s->held.mixed, cell.owner, cell.edge).normal;
+        const bmr_vec2 n = bmr_hierarchy_line(s->held.mixed.hierarchies[cell.owner], cell.edge).normal;
         const bmr_pose turned = {{0.0, 0.0}, -s->held.mixed.c, -s->held.mixed.s};
         return find_from_outside(kds, x, cell.owner == 0 ? n : bmr_rotate(&turned, n), touched);
     }

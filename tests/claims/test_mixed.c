@@ -117,10 +117,11 @@ TEST(across_each_side_lies_the_tile_that_brute_force_finds) {
         for (int k = 0; k < 100 && tiles > 0; ++k) {
             const uint32_t tile = test_random_below(&random, tiles);
             const bmr_mixed_cell *cell = bmr_mixed_tiling_cell(s.tiling, tile);
-            bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
+            bmr_mixed_figure figure;
             bmr_vec2 p[BMR_MIXED_MAX_SIDES];
-            const size_t count = bmr_mixed_sides(&s.mixed, cell, sides);
-            assert_int_equal(bmr_mixed_polygon(&s.mixed, cell, p), count);
+            bmr_mixed_draw(&s.mixed, cell, &figure);
+            const size_t count = bmr_mixed_polygon(&s.mixed, cell, p);
+            assert_int_equal(figure.sides, count);
             const size_t i = test_random_below(&random, (uint32_t)count);
             const bmr_vec2 e = bmr_sub(p[(i + 1) % count], p[i]);
             const double length = hypot(e.x, e.y);
@@ -129,13 +130,13 @@ TEST(across_each_side_lies_the_tile_that_brute_force_finds) {
             const bmr_vec2 out = bmr_vec2_make(e.y / length, -e.x / length);
             const bmr_vec2 x = bmr_add(p[i], bmr_scale(test_random_uniform(&random, 0.001, 0.999), e));
             const bmr_vec2 beyond = bmr_add(x, bmr_scale(1e-9 * size_of(&s), out));
-            assert_true(fabs(bmr_mixed_side_value(&s.mixed, &sides[i], x)) <= 1e-12 * size_of(&s));
-            assert_true(bmr_mixed_side_value(&s.mixed, &sides[i], beyond) < 0.0);
+            assert_true(fabs(bmr_mixed_figure_value(&s.mixed, &figure, i, x)) <= 1e-12 * size_of(&s));
+            assert_true(bmr_mixed_figure_value(&s.mixed, &figure, i, beyond) < 0.0);
             const cover c = cover_of(&s, beyond);
-            if (c.clearance < 1e-12 * size_of(&s) || (c.count == 0 && sides[i].role == BMR_MIXED_INNER))
+            const bmr_mixed_role role = (bmr_mixed_role)figure.parts[i].role;
+            if (c.clearance < 1e-12 * size_of(&s) || (c.count == 0 && role == BMR_MIXED_INNER))
                 continue; // on another border; or into the sum, or a sliver before it
             const bmr_mixed_ray ray = {x, out};
-            const bmr_mixed_role role = (bmr_mixed_role)sides[i].role;
             unsigned touched = 0;
             const bmr_mixed_cell next = bmr_mixed_next(&s.mixed, cell, role, &ray, &touched);
             const uint32_t found = bmr_mixed_tiling_find(s.tiling, &next);
@@ -187,7 +188,7 @@ static bmr_mixed_cell cell_at(const bmr_mixed *mixed, double x, double y) {
     return cell;
 }
 
-TEST(what_is_no_cell_has_neither_sides_nor_height_nor_neighbours) {
+TEST(what_is_no_cell_has_neither_corners_nor_height_nor_neighbours) {
     own_scene s = diamond_and_square();
     const bmr_mixed mixed = s.mixed;
     double slack;
@@ -197,8 +198,6 @@ TEST(what_is_no_cell_has_neither_sides_nor_height_nor_neighbours) {
     const bmr_mixed_cell inside = {BMR_NO_EDGE, {BMR_NO_EDGE, BMR_NO_EDGE}, BMR_MIXED_INSIDE, 0, {0, 0}};
     assert_false(bmr_mixed_exists(&mixed, &inside));
     assert_false(bmr_mixed_holds(&mixed, &inside, bmr_vec2_make(0.0, 0.0)));
-    bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
-    assert_int_equal(bmr_mixed_sides(&mixed, &inside, sides), 0);
     const bmr_mixed_ray ray = {{5.0, 1.0}, {-1.0, 0.0}};
     unsigned touched = 0;
     for (int k = 0; k < 2; ++k) {
@@ -294,11 +293,11 @@ TEST(a_cell_that_collapses_has_let_go_of_its_point_before) {
             const bmr_mixed_cell *cell = bmr_mixed_tiling_cell(s.tiling, i);
             if (cell->kind != BMR_MIXED_BEFORE && cell->kind != BMR_MIXED_AFTER)
                 continue;
-            bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
+            bmr_mixed_figure figure;
             bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
             bmr_mixed_order orders[2];
-            const size_t count = bmr_mixed_sides(&s.mixed, cell, sides);
-            bmr_mixed_polygon(&s.mixed, cell, corners);
+            bmr_mixed_draw(&s.mixed, cell, &figure);
+            bmr_mixed_figure_polygon(&s.mixed, cell, &figure, corners);
             bmr_mixed_orders(&s.mixed, cell, orders);
             const bmr_mixed_order *collapse = &orders[orders[0].page_turn ? 1 : 0];
             assert_false(collapse->page_turn);
@@ -312,16 +311,16 @@ TEST(a_cell_that_collapses_has_let_go_of_its_point_before) {
             }
             // y is the side on the line of OUTER: from its corner to the next.
             size_t outer = 0;
-            while (outer < count && sides[outer].role != BMR_MIXED_OUTER)
+            while (figure.parts[outer].role != BMR_MIXED_OUTER)
                 ++outer;
             const bmr_vec2 y = bmr_sub(corners[outer + 1], corners[outer]);
             const double width = hypot(y.x, y.y) * bmr_cross(n[0], n[1]);
             const bmr_vec2 x = {test_random_uniform(&random, -size, size),
                                 test_random_uniform(&random, -size, size)};
             double sum = 0.0;
-            for (size_t k = 0; k < count; ++k)
-                if (sides[k].role == BMR_MIXED_LOW || sides[k].role == BMR_MIXED_HIGH)
-                    sum += bmr_mixed_side_value(&s.mixed, &sides[k], x);
+            for (size_t k = 0; k < figure.sides; ++k)
+                if (figure.parts[k].role == BMR_MIXED_LOW || figure.parts[k].role == BMR_MIXED_HIGH)
+                    sum += bmr_mixed_figure_value(&s.mixed, &figure, k, x);
             assert_true(fabs(sum - width) <= 1e-9 * size);
             widest = fmax(widest, width / size);
             ++cells;
@@ -429,13 +428,13 @@ TEST(a_full_turn_has_one_page_turn_collapse_and_expansion_for_each_pair_of_edges
 /// How far a cell reaches from its inner side.
 static double height_of(const bmr_mixed *mixed, const bmr_mixed_cell *cell) {
     bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
-    bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
-    const size_t count = bmr_mixed_polygon(mixed, cell, corners);
-    bmr_mixed_sides(mixed, cell, sides);
+    bmr_mixed_figure figure;
+    bmr_mixed_draw(mixed, cell, &figure);
+    bmr_mixed_figure_polygon(mixed, cell, &figure, corners);
     double height = 0.0;
-    for (size_t i = 0; i < count; ++i)
-        for (size_t k = 0; k < count && sides[i].role == BMR_MIXED_INNER; ++k)
-            height = fmax(height, fabs(bmr_mixed_side_value(mixed, &sides[i], corners[k])));
+    for (size_t i = 0; i < figure.sides; ++i)
+        for (size_t k = 0; k < figure.sides && figure.parts[i].role == BMR_MIXED_INNER; ++k)
+            height = fmax(height, fabs(bmr_mixed_figure_value(mixed, &figure, i, corners[k])));
     return height;
 }
 

@@ -9,7 +9,7 @@
 #include "bytes.h"
 #include "harness.h"
 #include "hierarchies.h"
-#include "hierarchy/mixed_cells.h"
+#include "hierarchy/mixed.h"
 #include "hierarchy/tree.h"
 #include "motions.h" // test_distance
 #include "points.h"
@@ -305,11 +305,10 @@ void CheckTiling(const Scene &s, const bmr_mixed_tiling *tiling) {
     for (uint32_t i = 0; i < count; ++i) {
         const bmr_mixed_cell *cell = bmr_mixed_tiling_cell(tiling, i);
         bmr_vec2 corners[BMR_MIXED_MAX_SIDES];
-        bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
         const size_t n = bmr_mixed_polygon(&s.mixed, cell, corners);
         FUZZ_CHECK(bmr_mixed_exists(&s.mixed, cell), "tile %u is no cell", i);
         FUZZ_CHECK(bmr_mixed_tiling_find(tiling, cell) == i, "tile %u is not found", i);
-        FUZZ_CHECK(bmr_mixed_sides(&s.mixed, cell, sides) == n && n >= 3, "tile %u has %zu corners", i, n);
+        FUZZ_CHECK(n >= 3, "tile %u has %zu corners", i, n);
         const double area = test_area(corners, n);
         FUZZ_CHECK(area > -1e-13 * s.size * s.size, "tile %u has area %g", i, area);
         tiles += area;
@@ -323,14 +322,14 @@ void CheckTiling(const Scene &s, const bmr_mixed_tiling *tiling) {
 
 /// A cell's certificate is true, up to rounding.
 void CheckCertificate(const Scene &s, const bmr_mixed_cell *cell, bmr_vec2 x, double distance) {
-    bmr_mixed_side sides[BMR_MIXED_MAX_SIDES];
-    const size_t count = bmr_mixed_sides(&s.mixed, cell, sides);
+    bmr_mixed_figure figure;
+    bmr_mixed_draw(&s.mixed, cell, &figure);
     const double rounding = 1e-12 * (s.size + std::hypot(x.x, x.y));
     bool inner = false;
-    for (size_t i = 0; i < count; ++i) {
-        const double value = bmr_mixed_side_value(&s.mixed, &sides[i], x);
+    for (size_t i = 0; i < figure.sides; ++i) {
+        const double value = bmr_mixed_figure_value(&s.mixed, &figure, i, x);
         FUZZ_CHECK(value >= -rounding, "the point is %g outside of its cell", value);
-        if (sides[i].role != BMR_MIXED_INNER)
+        if (figure.parts[i].role != BMR_MIXED_INNER)
             continue;
         inner = true;
         FUZZ_CHECK(value <= distance + rounding, "the cell claims %g, the distance is %g", value, distance);
