@@ -64,9 +64,6 @@ const char *bmr_error_describe(bmr_error error) {
     case BMR_ERROR_UNKNOWN_NAME:
         return "nothing has that name: the call beside the one that looked for it lists the names that there "
                "are";
-    case BMR_ERROR_REPEATED_POINT:
-        return "two points of a ring that follow each other are equal: leave one out, also where the last "
-               "repeats the first";
     case BMR_ERROR_CROSSING_EDGES:
         return "two edges of the outline cross: the fault beside the error names them, and where";
     case BMR_ERROR_OVERLAPPING_EDGES:

@@ -89,11 +89,11 @@ static int better_owner(const bmr_kds *kds, const bmr_instant *now, const bmr_wi
 
 void bmr_free_direction_lay(const bmr_kds *kds, const bmr_instant *now, bmr_vec2 direction, double gap,
                             int spin, const uint32_t support[2], bmr_windowed_line *line) {
-    const double part = kds->def.window_part > 0.0 ? kds->def.window_part : BMR_WINDOW_PART;
     bmr_windowed_line made[2];
     for (int owner = 0; owner < 2; ++owner) {
         bmr_windowed_line_set(&made[owner], kds, &now->pose, owner, direction, support);
-        bmr_windowed_corners(&made[owner], kds, &now->pose, part * gap, bmr_windowed_sense(owner, spin));
+        bmr_windowed_corners(&made[owner], kds, &now->pose, BMR_WINDOW_PART * gap,
+                             bmr_windowed_sense(owner, spin));
     }
     *line = made[better_owner(kds, now, made, spin)];
 }

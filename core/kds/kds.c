@@ -18,7 +18,7 @@
 #define CONTACT_ROUNDING 1e-9
 
 bmr_kds_def bmr_default_kds_def(void) {
-    bmr_kds_def def = {1e-6, 0.0, 0.5, 0.5, 0, 0.0};
+    bmr_kds_def def = {1e-6, 0.0, 0.5, 0.5, 0};
     return def;
 }
 
@@ -36,7 +36,7 @@ static const bmr_kds_class *class_of(const bmr_kds_info *info) {
 static bool def_makes_sense(const bmr_kds_def *def) {
     return def->margin > 0.0 && isfinite(def->margin) && def->hysteresis >= 0.0 &&
            isfinite(def->hysteresis) && def->alpha > 0.0 && isfinite(def->alpha) && def->offset_ratio > 0.0 &&
-           def->offset_ratio < 1.0 && def->window_part >= 0.0 && def->window_part < 1.0;
+           def->offset_ratio < 1.0;
 }
 
 /// Is the hierarchy that stands in this place of this kind, and built over this polygon?

@@ -249,8 +249,6 @@ TEST_CASE("boomerang/pair.h, boomerang/kds.h") {
         def.alpha = ask.Number("alpha", def.alpha, kNumber + kAboveZero);
         def.offset_ratio =
             ask.Number("offset ratio", def.offset_ratio, kNumber + kAboveZero + OutOfRange({1}));
-        def.window_part =
-            ask.Number("window part", def.window_part, kNumber + kNotBelowZero + OutOfRange({1}));
         bmr_kds *made = nullptr;
         const std::string said = ask.Says(bmr_kds_create(ask.NotNull("structure", info), &def, &shape, &shape,
                                                          nullptr, ask.Result("result", &made)));

@@ -33,7 +33,6 @@ bmr_kds_def ReadDef(fuzz_bytes *bytes) {
         def.alpha = fuzz_in(bytes, 0.05, 1.0);
         def.offset_ratio = fuzz_in(bytes, 0.1, 0.95);
         def.root_level = fuzz_below(bytes, 6);
-        def.window_part = fuzz_in(bytes, 0.0, 0.95);
     }
     return def;
 }

@@ -38,7 +38,6 @@ typedef enum bmr_error {
     BMR_ERROR_TOO_LARGE,         ///< it would take more bytes than this machine can address
     BMR_ERROR_WRONG_HIERARCHY,   ///< a hierarchy of another polygon or of another kind
     BMR_ERROR_UNKNOWN_NAME,      ///< nothing has that name
-    BMR_ERROR_REPEATED_POINT,    ///< never returned: outlines leave out points that are repeated in a row
     BMR_ERROR_CROSSING_EDGES,    ///< two edges of an outline cross
     BMR_ERROR_OVERLAPPING_EDGES, ///< two edges of an outline have more than a point in common
     BMR_ERROR_HOLE_OUTSIDE,    ///< a hole of an outline is not inside its outer ring, or inside another hole

@@ -92,11 +92,8 @@ typedef struct bmr_kds_def {
     /// of at least so many levels. (Structures on an explicit sum make their own.) In other hierarchies no
     /// edge's direction lies within the angle of a sharp corner.
     unsigned root_level;
-    /// Free directions: the part of the gap that a window may cost (gamma), in (0, 1).
-    double window_part;
 } bmr_kds_def;
-/// margin 1e-6, hysteresis 0, alpha 1/2, offset_ratio 1/2, root_level 0, window_part 0 (the structure's own
-/// choice).
+/// margin 1e-6, hysteresis 0, alpha 1/2, offset_ratio 1/2, root_level 0.
 bmr_kds_def bmr_default_kds_def(void);
 
 /// The relative motion at one time: B's frame in A's. A structure that predicts uses the rates. If the caller

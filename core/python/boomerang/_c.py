@@ -52,7 +52,7 @@ line = record("line", ("normal", vec2), ("offset", c_double))
 kds_info = record("kds_info", ("name", c_char_p), ("title", c_char_p), ("section", c_char_p), ("domain", c_int), ("role", c_int),
                   ("hierarchy", c_int), ("implementation", c_void_p))
 kds_def = record("kds_def", ("margin", c_double), ("hysteresis", c_double), ("alpha", c_double), ("offset_ratio", c_double),
-                 ("root_level", c_uint), ("window_part", c_double))
+                 ("root_level", c_uint))
 kds_report = record("kds_report", ("kind", c_int), ("apart", c_bool), ("line_changed", c_bool), ("level_before", c_int),
                     ("level_after", c_int), ("touched", c_uint))
 kds_proof = record("kds_proof", ("owner", c_int), ("line", line), ("nearest", vec2), ("level", c_int))
