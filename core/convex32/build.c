@@ -171,7 +171,8 @@ static void fill_buckets(const bmr_convex32 *polygon, uint16_t *buckets) {
     }
 }
 
-static bmr_error audit_shape(const bmr_convex32 *p) {
+/// Convex in exact arithmetic, and do the normals turn, once around?
+static bmr_error check_shape(const bmr_convex32 *p) {
     uint32_t rounds = 0;
     for (uint32_t i = 0; i < p->count; ++i) {
         const uint32_t j = convex32_next(p, i), k = convex32_next(p, j);
@@ -205,7 +206,7 @@ bmr_error convex32_make(const bmr_vec32 *vertices, size_t count, size_t more, co
     const uint32_t bits = bits_for(count);
     const bmr_convex32 polygon = {own,    normals, bits > 0 ? buckets : NULL, (uint32_t)count, bits,
                                   extent, NULL};
-    bmr_error error = audit_shape(&polygon);
+    bmr_error error = check_shape(&polygon);
     if (error == BMR_OK)
         error = measure(&polygon, &made->mass, &made->reach);
     if (error != BMR_OK) {
@@ -290,37 +291,4 @@ bmr_error bmr_convex32_create_raw(const bmr_vec32 *vertices, size_t count, const
 void bmr_convex32_destroy(bmr_convex32_block *block, const bmr_allocator *allocator) {
     if (block)
         bmr_release(allocator, block, block->bytes);
-}
-
-bmr_error bmr_convex32_audit(const bmr_convex32 *polygon) {
-    if (!polygon || !polygon->vertices || !polygon->normals)
-        return BMR_ERROR_NULL_ARGUMENT;
-    if (polygon->count < 3)
-        return BMR_ERROR_TOO_FEW_POINTS;
-    if (polygon->count > BMR_CONVEX32_MOST)
-        return BMR_ERROR_TOO_MANY_POINTS;
-    bmr_error error = convex32_check_points(polygon->vertices, polygon->count);
-    if (error == BMR_OK)
-        error = audit_shape(polygon);
-    if (error != BMR_OK)
-        return error;
-    bmr_vec32 extent = {0.0f, 0.0f};
-    for (uint32_t i = 0; i < polygon->count; ++i) {
-        const bmr_vec32 v = polygon->vertices[i];
-        const bmr_vec32 normal = convex32_edge_normal(v, polygon->vertices[convex32_next(polygon, i)]);
-        if (normal.x != polygon->normals[i].x || normal.y != polygon->normals[i].y)
-            return BMR_ERROR_INVALID_STRUCTURE;
-        extent.x = fmaxf(extent.x, fabsf(v.x));
-        extent.y = fmaxf(extent.y, fabsf(v.y));
-    }
-    if (polygon->buckets && !(polygon->extent.x == extent.x && polygon->extent.y == extent.y))
-        return BMR_ERROR_INVALID_STRUCTURE;
-    if ((polygon->buckets != NULL) != (polygon->count > 8) ||
-        polygon->bucket_bits != bits_for(polygon->count))
-        return BMR_ERROR_INVALID_STRUCTURE;
-    for (uint32_t b = 0; polygon->buckets && b < 1u << polygon->bucket_bits; ++b)
-        if (polygon->buckets[b] >= polygon->count ||
-            !convex32_leaves_at(polygon, polygon->buckets[b], convex32_bucket_begin(b, polygon->bucket_bits)))
-            return BMR_ERROR_INVALID_STRUCTURE;
-    return BMR_OK;
 }

@@ -94,12 +94,7 @@ void bmr_convex32_destroy(bmr_convex32_block *block, const bmr_allocator *alloca
 /// Bytes of a block of so many vertices: 16 a vertex and, past 8, 4 to 8 for the table. SIZE_MAX for more
 /// than BMR_CONVEX32_MOST, for which there is none.
 size_t bmr_convex32_bytes(size_t count);
-/// Is it convex (in exact arithmetic), counter-clockwise, once around, do the normals fit and turn from each
-/// to the next, does the table start well, and is the extent that it is used with that of the vertices (to
-/// the bit; without a table it may be anything)? BMR_ERROR_NOT_CONVEX or BMR_ERROR_INVALID_STRUCTURE. O(n).
-bmr_error bmr_convex32_audit(const bmr_convex32 *polygon);
-
-/// A polygon of Box2D's own size, with its own arrays; no table, no audit.
+/// A polygon of Box2D's own size, with its own arrays; no table.
 static inline bmr_convex32 bmr_convex32_small(const bmr_polygon32 *polygon) {
     const bmr_convex32 view = {
         polygon->vertices, polygon->normals, NULL, (uint32_t)polygon->count, 0, {0.0f, 0.0f}, NULL};

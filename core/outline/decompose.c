@@ -85,51 +85,24 @@ static tally count_pieces(const bmr_mesh *m) {
     return n;
 }
 
-/// Where the parts of a block of pieces begin.
-typedef struct layout {
-    size_t points, first, edges, bytes;
-} layout;
+_Static_assert(sizeof(bmr_outline_pieces) % sizeof(double) == 0, "the points begin behind it");
 
-static bool lay_out(uint32_t points, uint32_t pieces, uint32_t edges, layout *at) {
-    at->bytes = sizeof(bmr_outline_pieces);
-    return bmr_size_add(&at->bytes, points, sizeof(bmr_vec2), sizeof(bmr_vec2), SIZE_MAX, &at->points) &&
-           bmr_size_add(&at->bytes, edges, sizeof(bmr_outline_edge), sizeof(uint32_t), SIZE_MAX,
-                        &at->edges) &&
-           bmr_size_add(&at->bytes, (size_t)pieces + 1, sizeof(uint32_t), sizeof(uint32_t), SIZE_MAX,
-                        &at->first);
-}
-
-/// Corners of the solid that take more than half a turn.
-static uint32_t count_notches(const bmr_mesh *m) {
-    uint32_t count = 0;
-    for (uint32_t h = 0; h < m->half_count; ++h) {
-        const bmr_half *half = &m->halves[h];
-        if (half->face == NONE || half->source == NONE)
-            continue;
-        // Around the corner, from the edge that leaves it to the one that comes in.
-        uint32_t last = h;
-        for (uint32_t t = bmr_mesh_turn_left(m, last); t != NONE; t = bmr_mesh_turn_left(m, last))
-            last = t;
-        count += bmr_orientation(bmr_mesh_point(m, m->halves[last].previous), m->points[half->origin],
-                                 bmr_mesh_point(m, half->next)) < 0;
-    }
-    return count;
+/// Of a block of pieces: points, edges and where each piece begins.
+static size_t bytes_for(uint32_t points, uint32_t pieces, uint32_t edges) {
+    return sizeof(bmr_outline_pieces) + points * sizeof(bmr_vec2) + edges * sizeof(bmr_outline_edge) +
+           ((size_t)pieces + 1) * sizeof(uint32_t);
 }
 
 /// One block of what the mesh has become. `corner` of each half becomes the number of its edge.
 static bmr_error write_pieces(bmr_mesh *m, const origin *from, const bmr_allocator *allocator,
                               bmr_outline_pieces **pieces) {
     const tally n = count_pieces(m);
-    layout at;
-    if (!lay_out(from->given_count, n.pieces, n.edges, &at))
+    bmr_outline_pieces *made = bmr_allocate(allocator, bytes_for(from->given_count, n.pieces, n.edges));
+    if (!made)
         return BMR_ERROR_NO_MEMORY;
-    char *block = bmr_allocate(allocator, at.bytes);
-    if (!block)
-        return BMR_ERROR_NO_MEMORY;
-    bmr_outline_pieces *made = (bmr_outline_pieces *)(void *)block;
-    bmr_vec2 *points = (bmr_vec2 *)(void *)(block + at.points);
-    uint32_t *first = (uint32_t *)(void *)(block + at.first);
-    bmr_outline_edge *edges = (bmr_outline_edge *)(void *)(block + at.edges);
+    bmr_vec2 *points = (bmr_vec2 *)(void *)(made + 1);
+    bmr_outline_edge *edges = (bmr_outline_edge *)(void *)(points + from->given_count);
+    uint32_t *first = (uint32_t *)(void *)(edges + n.edges);
     memcpy(points, from->given->points, from->given_count * sizeof *points);
     uint32_t edge = 0, piece = 0;
     for (uint32_t f = 0; f < m->face_count; ++f) {
@@ -152,12 +125,12 @@ static bmr_error write_pieces(bmr_mesh *m, const origin *from, const bmr_allocat
         it->outline = it->outline != NONE ? from->kept[it->outline] : NONE;
         it->twin = it->twin != NONE ? m->halves[it->twin].corner : NONE;
     }
-    *made = (bmr_outline_pieces){points, from->given_count, piece, first, edges, edge, count_notches(m), 0};
+    *made = (bmr_outline_pieces){points, from->given_count, piece, first, edges, edge};
     *pieces = made;
     return BMR_OK;
 }
 
-/// The pieces of exactly this outline, which has so many rings.
+/// The pieces of exactly this outline.
 static bmr_error cut(const bmr_ring_links *links, const origin *from, const bmr_allocator *allocator,
                      bmr_outline_pieces **pieces, bmr_outline_fault *fault) {
     bmr_mesh mesh;
@@ -168,57 +141,33 @@ static bmr_error cut(const bmr_ring_links *links, const origin *from, const bmr_
     error = bmr_mesh_improve(&mesh, allocator);
     if (error == BMR_OK)
         error = write_pieces(&mesh, from, allocator, pieces);
-    if (error == BMR_OK)
-        (*pieces)->hole_count = links->ring_count - 1;
     bmr_mesh_free(&mesh, allocator);
     return error;
 }
 
-/// What a simplification leaves, as rings of their own. One block.
-typedef struct simpler {
-    uint32_t *kept, *counts;
-    bmr_vec2 *points;
-    void *block;
-    size_t bytes;
-} simpler;
-
-static bool lay_out_simpler(uint32_t points, uint32_t rings, const bmr_allocator *allocator, simpler *s) {
-    size_t points_at, kept_at, counts_at;
-    s->bytes = 0;
-    if (!bmr_size_add(&s->bytes, points, sizeof(bmr_vec2), sizeof(bmr_vec2), SIZE_MAX, &points_at) ||
-        !bmr_size_add(&s->bytes, points, sizeof(uint32_t), sizeof(uint32_t), SIZE_MAX, &kept_at) ||
-        !bmr_size_add(&s->bytes, rings, sizeof(uint32_t), sizeof(uint32_t), SIZE_MAX, &counts_at))
-        return false;
-    char *block = bmr_allocate(allocator, s->bytes);
-    s->block = block;
-    if (!block)
-        return false;
-    s->points = (bmr_vec2 *)(void *)(block + points_at);
-    s->kept = (uint32_t *)(void *)(block + kept_at);
-    s->counts = (uint32_t *)(void *)(block + counts_at);
-    return true;
-}
-
+/// The pieces of what a simplification leaves.
 static bmr_error cut_simpler(const outline *o, double tolerance, const bmr_allocator *allocator,
                              bmr_outline_pieces **pieces, bmr_outline_fault *fault) {
     const bmr_ring_links *links = &o->links;
-    simpler s;
-    if (!lay_out_simpler(links->count, links->ring_count, allocator, &s))
+    const size_t bytes = bmr_rings_bytes(links->count, links->ring_count);
+    bmr_vec2 *points = bmr_allocate(allocator, bytes);
+    if (!points)
         return BMR_ERROR_NO_MEMORY;
-    bmr_error error = bmr_simplify(links, tolerance, allocator, s.kept, s.counts, fault);
+    uint32_t *kept = (uint32_t *)(void *)(points + links->count), *counts = kept + links->count;
+    bmr_error error = bmr_simplify(links, tolerance, allocator, kept, counts, fault);
     if (error == BMR_OK) {
         uint32_t ring_count = 0, count = 0;
         for (uint32_t r = 0; r < links->ring_count; ++r) {
-            count += s.counts[r];
-            if (s.counts[r] > 0)
-                s.counts[ring_count++] = s.counts[r];
+            count += counts[r];
+            if (counts[r] > 0)
+                counts[ring_count++] = counts[r];
         }
         for (uint32_t i = 0; i < count; ++i) {
-            s.points[i] = links->points[s.kept[i]];
-            s.kept[i] = o->from.kept[s.kept[i]];
+            points[i] = links->points[kept[i]];
+            kept[i] = o->from.kept[kept[i]];
         }
-        const bmr_rings left = {s.points, s.counts, ring_count};
-        const origin from = {o->from.given, o->from.given_count, s.kept};
+        const bmr_rings left = {points, counts, ring_count};
+        const origin from = {o->from.given, o->from.given_count, kept};
         bmr_ring_links left_links;
         error = bmr_ring_links_make(&left, count, allocator, &left_links);
         if (error == BMR_OK) {
@@ -226,7 +175,7 @@ static bmr_error cut_simpler(const outline *o, double tolerance, const bmr_alloc
             bmr_ring_links_free(&left_links, allocator);
         }
     }
-    bmr_release(allocator, s.block, s.bytes);
+    bmr_release(allocator, points, bytes);
     return error;
 }
 
@@ -283,9 +232,9 @@ bmr_error bmr_outline_simplify(const bmr_rings *rings, double tolerance, const b
 }
 
 void bmr_outline_pieces_destroy(bmr_outline_pieces *pieces, const bmr_allocator *allocator) {
-    layout at;
-    if (pieces && lay_out(pieces->point_count, pieces->piece_count, pieces->edge_count, &at))
-        bmr_release(allocator, pieces, at.bytes);
+    if (pieces)
+        bmr_release(allocator, pieces,
+                    bytes_for(pieces->point_count, pieces->piece_count, pieces->edge_count));
 }
 
 /// Once around, turning left or not at all, and somewhere left?

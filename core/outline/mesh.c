@@ -181,36 +181,29 @@ bmr_error bmr_mesh_triangulate(const bmr_ring_links *links, const bmr_allocator 
     const uint32_t strands = bmr_sweep_most_strands(links->count);
     const uint32_t triangles = strands + 2 * links->ring_count;
     const uint32_t borders = strands + (3 * triangles) / 2, nodes = 3 * links->count + strands;
-    size_t bytes = 0, faces_at, halves_at;
-    if (!bmr_size_add(&bytes, 3 * (size_t)triangles, sizeof(bmr_half), sizeof(uint32_t), SIZE_MAX,
-                      &halves_at) ||
-        !bmr_size_add(&bytes, triangles, sizeof(uint32_t), sizeof(uint32_t), SIZE_MAX, &faces_at))
-        return BMR_ERROR_NO_MEMORY;
+    const size_t bytes = triangles * (3 * sizeof(bmr_half) + sizeof(uint32_t));
     const size_t scratch_bytes = nodes * sizeof(node) + borders * sizeof(border);
-    char *block = bmr_allocate(allocator, bytes);
-    char *scratch = block ? bmr_allocate(allocator, scratch_bytes) : NULL;
+    bmr_half *halves = bmr_allocate(allocator, bytes);
+    node *scratch = halves ? bmr_allocate(allocator, scratch_bytes) : NULL;
     bmr_error error = BMR_ERROR_NO_MEMORY;
     if (scratch) {
         bmr_mesh made = {.points = links->points,
-                         .halves = (bmr_half *)(void *)(block + halves_at),
-                         .faces = (uint32_t *)(void *)(block + faces_at),
-                         .block = block,
+                         .halves = halves,
+                         .faces = (uint32_t *)(void *)(halves + 3 * (size_t)triangles),
                          .bytes = bytes};
-        cutter c = {
-            &made,  NULL, (node *)(void *)scratch, 0, (border *)(void *)(scratch + nodes * sizeof(node)),
-            strands};
+        cutter c = {&made, NULL, scratch, 0, (border *)(void *)(scratch + nodes), strands};
         error = bmr_sweep(links, allocator, visit, &c, fault);
         if (error == BMR_OK)
             *mesh = made;
         bmr_release(allocator, scratch, scratch_bytes);
     }
-    if (block && error != BMR_OK)
-        bmr_release(allocator, block, bytes);
+    if (halves && error != BMR_OK)
+        bmr_release(allocator, halves, bytes);
     return error;
 }
 
 void bmr_mesh_free(bmr_mesh *mesh, const bmr_allocator *allocator) {
-    bmr_release(allocator, mesh->block, mesh->bytes);
+    bmr_release(allocator, mesh->halves, mesh->bytes);
 }
 
 /// Steps through both faces at once and stops at the end of the shorter one.

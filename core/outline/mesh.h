@@ -25,8 +25,7 @@ typedef struct bmr_mesh {
     uint32_t half_count;
     uint32_t *faces; ///< one half of each; NONE of a face that is no more
     uint32_t face_count;
-    void *block;
-    size_t bytes;
+    size_t bytes; ///< of the one block, which begins with the halves
 } bmr_mesh;
 
 /// Cuts the solid into triangles: one sweep, which finds the outline's faults on its way. Each triangle is

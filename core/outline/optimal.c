@@ -132,48 +132,39 @@ static bool is_between(bmr_vec2 a, bmr_vec2 x, bmr_vec2 b) {
                       : (a.y < x.y && x.y < b.y) || (b.y < x.y && x.y < a.y);
 }
 
-/// The triangle i, j, k where i is a notch: j, k is an edge or a cut, and so is i, j, or the base of its part
-/// goes on.
-static void try_fan_around_first(bmr_optimal *o, uint32_t i, uint32_t j, uint32_t k) {
-    const part *side = &o->parts[i][j], *other = &o->parts[j][k];
+/// The triangle i, j, k around its notch, i or else k: the side away from the notch is an edge or a cut, and
+/// so is the one at the notch, or the base of its part goes on.
+static void try_fan(bmr_optimal *o, uint32_t i, uint32_t j, uint32_t k) {
+    const bmr_loop *l = o->loop;
+    const bool around_first = l->is_notch[i];
+    const part *side = around_first ? &o->parts[i][j] : &o->parts[j][k];
+    const part *other = around_first ? &o->parts[j][k] : &o->parts[i][j];
+    const uint32_t notch = around_first ? i : k, across = around_first ? k : i;
     if (side->kind == UNSEEN || !is_side(other) ||
-        (side->kind == BEHIND && !is_between(o->loop->corners[i], o->loop->corners[k], o->loop->corners[j])))
+        (side->kind == BEHIND && !is_between(l->corners[notch], l->corners[across], l->corners[j])))
         return;
-    // Of the bases that stay convex at j, the last is the narrowest at i.
-    uint32_t from = NO_BASE;
-    for (uint32_t b = side->begin; b < side->begin + side->count; ++b) {
-        if (!is_convex(o->loop, o->bases[b].last, j, k))
+    // Of the bases that stay convex at j, the narrowest at the notch.
+    base added = {(uint16_t)j, (uint16_t)j, NO_BASE};
+    for (uint32_t n = 0; n < side->count; ++n) {
+        const uint32_t b = side->begin + (around_first ? n : side->count - 1 - n);
+        const base *narrower = &o->bases[b];
+        if (!(around_first ? is_convex(l, narrower->last, j, k) : is_convex(l, i, j, narrower->first)))
             break;
-        from = b;
+        added.from = b;
     }
-    if (from != NO_BASE && !is_convex(o->loop, k, i, o->bases[from].first))
-        from = NO_BASE;
-    if (from == NO_BASE && (side->kind == LINKED || side->kind == BEHIND))
-        return;
-    const uint32_t cuts = cuts_beside(other) + (from != NO_BASE ? side->cuts : cuts_beside(side));
-    const base added = {from != NO_BASE ? o->bases[from].first : (uint16_t)j, (uint16_t)j, from};
-    add_base(o, &o->parts[i][k], cuts, added);
-}
-
-/// The same where k is a notch, and i is none.
-static void try_fan_around_last(bmr_optimal *o, uint32_t i, uint32_t j, uint32_t k) {
-    const part *side = &o->parts[j][k], *other = &o->parts[i][j];
-    if (side->kind == UNSEEN || !is_side(other) ||
-        (side->kind == BEHIND && !is_between(o->loop->corners[k], o->loop->corners[i], o->loop->corners[j])))
-        return;
-    uint32_t from = NO_BASE;
-    for (uint32_t b = side->begin + side->count; b-- > side->begin;) {
-        if (!is_convex(o->loop, i, j, o->bases[b].first))
-            break;
-        from = b;
+    if (added.from != NO_BASE) {
+        const base *goes_on = &o->bases[added.from];
+        if (!(around_first ? is_convex(l, k, i, goes_on->first) : is_convex(l, goes_on->last, k, i)))
+            added.from = NO_BASE;
+        else if (around_first)
+            added.first = goes_on->first;
+        else
+            added.last = goes_on->last;
     }
-    if (from != NO_BASE && !is_convex(o->loop, o->bases[from].last, k, i))
-        from = NO_BASE;
-    if (from == NO_BASE && (side->kind == LINKED || side->kind == BEHIND))
+    if (added.from == NO_BASE && (side->kind == LINKED || side->kind == BEHIND))
         return;
-    const uint32_t cuts = cuts_beside(other) + (from != NO_BASE ? side->cuts : cuts_beside(side));
-    const base added = {(uint16_t)j, from != NO_BASE ? o->bases[from].last : (uint16_t)j, from};
-    add_base(o, &o->parts[i][k], cuts, added);
+    add_base(o, &o->parts[i][k],
+             cuts_beside(other) + (added.from != NO_BASE ? side->cuts : cuts_beside(side)), added);
 }
 
 /// Corners on one ray from a notch, the farthest first.
@@ -249,12 +240,8 @@ static void make_part(bmr_optimal *o, uint32_t i, uint32_t k) {
     if (p->kind == LINKED)
         join_links(o, p, i, k);
     else if (p->kind != UNSEEN)
-        for (uint32_t j = i + 1; j < k; ++j) {
-            if (o->loop->is_notch[i])
-                try_fan_around_first(o, i, j, k);
-            else
-                try_fan_around_last(o, i, j, k);
-        }
+        for (uint32_t j = i + 1; j < k; ++j)
+            try_fan(o, i, j, k);
     o->used += p->count;
 }
 

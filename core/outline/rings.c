@@ -30,24 +30,13 @@ bmr_error bmr_rings_check(const bmr_rings *rings, uint32_t *count) {
     return BMR_OK;
 }
 
-static bool lay_out_distinct(uint32_t points, uint32_t rings, size_t *kept, size_t *counts, size_t *bytes) {
-    size_t points_at = 0;
-    *bytes = 0;
-    return bmr_size_add(bytes, points, sizeof(bmr_vec2), sizeof(bmr_vec2), SIZE_MAX, &points_at) &&
-           bmr_size_add(bytes, points, sizeof(uint32_t), sizeof(uint32_t), SIZE_MAX, kept) &&
-           bmr_size_add(bytes, rings, sizeof(uint32_t), sizeof(uint32_t), SIZE_MAX, counts);
-}
-
 bmr_error bmr_distinct_rings_make(const bmr_rings *rings, uint32_t count, const bmr_allocator *allocator,
                                   bmr_distinct_rings *distinct) {
-    size_t kept_at, counts_at, bytes;
-    if (!lay_out_distinct(count, rings->ring_count, &kept_at, &counts_at, &bytes))
+    const size_t bytes = bmr_rings_bytes(count, rings->ring_count);
+    bmr_vec2 *points = bmr_allocate(allocator, bytes);
+    if (!points)
         return BMR_ERROR_NO_MEMORY;
-    char *block = bmr_allocate(allocator, bytes);
-    if (!block)
-        return BMR_ERROR_NO_MEMORY;
-    bmr_vec2 *points = (bmr_vec2 *)(void *)block;
-    uint32_t *kept = (uint32_t *)(void *)(block + kept_at), *counts = (uint32_t *)(void *)(block + counts_at);
+    uint32_t *kept = (uint32_t *)(void *)(points + count), *counts = kept + count;
     uint32_t left = 0, begin = 0;
     for (uint32_t r = 0; r < rings->ring_count; ++r) {
         const uint32_t first = left;
@@ -61,7 +50,7 @@ bmr_error bmr_distinct_rings_make(const bmr_rings *rings, uint32_t count, const 
         counts[r] = left - first;
         begin += rings->counts[r];
     }
-    *distinct = (bmr_distinct_rings){{points, counts, rings->ring_count}, left, kept, block, bytes};
+    *distinct = (bmr_distinct_rings){{points, counts, rings->ring_count}, left, kept, points, bytes};
     return BMR_OK;
 }
 

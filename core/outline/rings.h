@@ -29,6 +29,11 @@ typedef struct bmr_distinct_rings {
     size_t bytes;
 } bmr_distinct_rings;
 
+/// Bytes of one block for points, an index of each, and the counts of the rings, in this order.
+static inline size_t bmr_rings_bytes(uint32_t points, uint32_t rings) {
+    return points * (sizeof(bmr_vec2) + sizeof(uint32_t)) + rings * sizeof(uint32_t);
+}
+
 /// Of rings that bmr_rings_check has passed. O(n). Errors: NO_MEMORY.
 bmr_error bmr_distinct_rings_make(const bmr_rings *rings, uint32_t count, const bmr_allocator *allocator,
                                   bmr_distinct_rings *distinct);

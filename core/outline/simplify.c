@@ -73,9 +73,9 @@ static double chord_line_distance(bmr_vec2 p, bmr_vec2 a, bmr_vec2 b) {
 typedef struct point_grid {
     const bmr_vec2 *points;
     bmr_vec2 low, size; ///< halved, so that no difference of two coordinates overflows
-    uint32_t columns, rows;
-    uint32_t *first; ///< point of each cell; NONE: it is empty
-    uint32_t *next;  ///< of each point in its cell
+    uint32_t side;      ///< cells in a row, and in a column
+    uint32_t *first;    ///< point of each cell; NONE: it is empty
+    uint32_t *next;     ///< of each point in its cell
 } point_grid;
 
 static uint32_t side_of(uint32_t points) {
@@ -106,7 +106,7 @@ static void grid_make(point_grid *grid, const bmr_vec2 *points, uint32_t count, 
     low = bmr_scale(0.5, low);
     const bmr_vec2 size = bmr_sub(bmr_scale(0.5, high), low);
     const uint32_t side = side_of(count);
-    *grid = (point_grid){points, low, size, side, side, first, next};
+    *grid = (point_grid){points, low, size, side, first, next};
     for (uint32_t c = 0; c < side * side; ++c)
         first[c] = NONE;
     for (uint32_t i = 0; i < count; ++i) {
@@ -133,13 +133,13 @@ static bool grid_blocks(const point_grid *grid, const bool *removed, uint32_t ti
     const int turn = bmr_orientation(corners[0], corners[1], corners[2]);
     const bmr_vec2 low = {fmin(fmin(p[tip].x, p[a].x), p[b].x), fmin(fmin(p[tip].y, p[a].y), p[b].y)};
     const bmr_vec2 high = {fmax(fmax(p[tip].x, p[a].x), p[b].x), fmax(fmax(p[tip].y, p[a].y), p[b].y)};
-    const uint32_t left = cell_of(low.x, grid->low.x, grid->size.x, grid->columns);
-    const uint32_t right = cell_of(high.x, grid->low.x, grid->size.x, grid->columns);
-    const uint32_t bottom = cell_of(low.y, grid->low.y, grid->size.y, grid->rows);
-    const uint32_t top = cell_of(high.y, grid->low.y, grid->size.y, grid->rows);
+    const uint32_t left = cell_of(low.x, grid->low.x, grid->size.x, grid->side);
+    const uint32_t right = cell_of(high.x, grid->low.x, grid->size.x, grid->side);
+    const uint32_t bottom = cell_of(low.y, grid->low.y, grid->size.y, grid->side);
+    const uint32_t top = cell_of(high.y, grid->low.y, grid->size.y, grid->side);
     for (uint32_t row = bottom; row <= top; ++row)
         for (uint32_t column = left; column <= right; ++column)
-            for (uint32_t q = grid->first[row * grid->columns + column]; q != NONE; q = grid->next[q]) {
+            for (uint32_t q = grid->first[row * grid->side + column]; q != NONE; q = grid->next[q]) {
                 if (removed[q] || q == tip || bmr_sweep_compare(p[q], p[a]) == 0 ||
                     bmr_sweep_compare(p[q], p[b]) == 0)
                     continue;
@@ -328,54 +328,30 @@ static void run(simplifier *s, bmr_vec2 *scratch) {
     }
 }
 
-/// One block for all that a simplification needs. False where its size is no size_t.
-static bool lay_out(simplifier *s, char *block, size_t *bytes, bmr_vec2 **scratch) {
-    const size_t n = s->links->count;
-    const size_t sizes[][2] = {{n, sizeof(double)},
-                               {2 * n + 1, sizeof(bmr_vec2)},
-                               {n, sizeof(uint32_t)},
-                               {n, sizeof(uint32_t)},
-                               {n, sizeof(uint32_t)},
-                               {n, sizeof(uint32_t)},
-                               {n, sizeof(uint32_t)},
-                               {grid_cells((uint32_t)n), sizeof(uint32_t)},
-                               {n, sizeof(bool)},
-                               {n, sizeof(bool)},
-                               {s->links->ring_count, sizeof(uint32_t)}};
-    enum { PARTS = sizeof sizes / sizeof *sizes };
-    size_t at[PARTS];
-    *bytes = 0;
-    for (size_t i = 0; i < PARTS; ++i)
-        if (!bmr_size_add(bytes, sizes[i][0], sizes[i][1], sizeof(double), SIZE_MAX, &at[i]))
-            return false;
-    if (!block)
-        return true;
-    memset(block, 0, *bytes);
-    s->cost = (double *)(void *)(block + at[0]);
-    *scratch = (bmr_vec2 *)(void *)(block + at[1]);
-    s->next = (uint32_t *)(void *)(block + at[2]);
-    s->previous = (uint32_t *)(void *)(block + at[3]);
-    s->heap = (uint32_t *)(void *)(block + at[4]);
-    s->place = (uint32_t *)(void *)(block + at[5]);
-    grid_make(&s->grid, s->links->points, s->links->count, (uint32_t *)(void *)(block + at[7]),
-              (uint32_t *)(void *)(block + at[6]));
-    s->removed = (bool *)(block + at[8]);
-    s->touches = (bool *)(block + at[9]);
-    s->left = (uint32_t *)(void *)(block + at[10]);
-    return true;
-}
-
 bmr_error bmr_simplify(const bmr_ring_links *links, double tolerance, const bmr_allocator *allocator,
                        uint32_t *kept, uint32_t *counts, bmr_outline_fault *fault) {
-    simplifier s = {.links = links, .tolerance = tolerance};
-    bmr_vec2 *scratch;
-    size_t bytes;
-    if (!lay_out(&s, NULL, &bytes, &scratch))
-        return BMR_ERROR_NO_MEMORY;
-    char *block = bmr_allocate(allocator, bytes);
+    const size_t n = links->count, cells = grid_cells(links->count);
+    const size_t bytes = n * sizeof(double) + (2 * n + 1) * sizeof(bmr_vec2) +
+                         (5 * n + cells + links->ring_count) * sizeof(uint32_t) + 2 * n * sizeof(bool);
+    double *block = bmr_allocate(allocator, bytes);
     if (!block)
         return BMR_ERROR_NO_MEMORY;
-    lay_out(&s, block, &bytes, &scratch);
+    memset(block, 0, bytes);
+    bmr_vec2 *scratch = (bmr_vec2 *)(void *)(block + n);
+    uint32_t *indices = (uint32_t *)(void *)(scratch + 2 * n + 1);
+    uint32_t *left = indices + 5 * n + cells;
+    bool *marks = (bool *)(left + links->ring_count);
+    simplifier s = {.links = links,
+                    .tolerance = tolerance,
+                    .cost = block,
+                    .next = indices,
+                    .previous = indices + n,
+                    .heap = indices + 2 * n,
+                    .place = indices + 3 * n,
+                    .left = left,
+                    .removed = marks,
+                    .touches = marks + n};
+    grid_make(&s.grid, links->points, links->count, indices + 5 * n, indices + 4 * n);
     const bmr_error error = bmr_sweep(links, allocator, note_touches, &s, fault);
     if (error == BMR_OK) {
         run(&s, scratch);

@@ -292,8 +292,7 @@ static bmr_error visit_place(sweep *s, const uint32_t *points, uint32_t count, b
     if (error != BMR_OK)
         return error;
     if (visit) {
-        const bmr_sweep_event event = {points[0], below,        above,         s->ends,
-                                       s->starts, s->end_count, s->start_count};
+        const bmr_sweep_event event = {points[0], below, s->ends, s->starts, s->end_count, s->start_count};
         visit(context, s->strands, &event);
     }
     bmr_status_join(&s->status, parts.below, s->starts, s->start_count, parts.above);
@@ -322,47 +321,30 @@ static bmr_error run(sweep *s, bmr_sweep_visit *visit, void *context) {
     return BMR_OK;
 }
 
-/// One block for all that a sweep needs. False where its size is no size_t.
-static bool lay_out(sweep *s, const bmr_ring_links *links, char *block, size_t *bytes) {
-    const size_t strands = bmr_sweep_most_strands(links->count);
-    const struct {
-        size_t count, each;
-    } parts[] = {{strands, sizeof(bmr_strand)},    {2 * strands, sizeof(arm)},
-                 {links->count, sizeof(uint32_t)}, {links->count, sizeof(uint32_t)},
-                 {strands, sizeof(uint32_t)},      {strands, sizeof(uint32_t)},
-                 {strands, sizeof(uint32_t)},      {links->ring_count, sizeof(bool)}};
-    size_t begin[sizeof parts / sizeof *parts];
-    *bytes = 0;
-    for (size_t i = 0; i < sizeof parts / sizeof *parts; ++i)
-        if (!bmr_size_add(bytes, parts[i].count, parts[i].each, sizeof(uint32_t), SIZE_MAX, &begin[i]))
-            return false;
-    if (!block)
-        return true;
-    s->links = links;
-    s->strands = (bmr_strand *)(void *)(block + begin[0]);
-    s->arms = (arm *)(void *)(block + begin[1]);
-    s->first = (uint32_t *)(void *)(block + begin[2]);
-    s->order = (uint32_t *)(void *)(block + begin[3]);
-    s->ends = (uint32_t *)(void *)(block + begin[4]);
-    s->starts = (uint32_t *)(void *)(block + begin[5]);
-    s->scratch = (uint32_t *)(void *)(block + begin[6]);
-    s->ring_met = (bool *)(block + begin[7]);
-    memset(s->ring_met, 0, links->ring_count * sizeof(bool));
-    return true;
-}
-
 bmr_error bmr_sweep(const bmr_ring_links *links, const bmr_allocator *allocator, bmr_sweep_visit *visit,
                     void *context, bmr_outline_fault *fault) {
-    sweep s = {0};
-    size_t bytes;
-    if (!lay_out(&s, links, NULL, &bytes))
-        return BMR_ERROR_NO_MEMORY;
-    char *block = bmr_allocate(allocator, bytes);
+    const size_t points = links->count, strands = bmr_sweep_most_strands(links->count);
+    const size_t bytes = strands * (sizeof(bmr_strand) + 2 * sizeof(arm)) +
+                         (2 * points + 3 * strands) * sizeof(uint32_t) + links->ring_count * sizeof(bool);
+    bmr_strand *block = bmr_allocate(allocator, bytes);
     if (!block)
         return BMR_ERROR_NO_MEMORY;
-    lay_out(&s, links, block, &bytes);
-    s.status = (bmr_status){links->points, s.strands, NONE};
-    s.fault = fault;
+    arm *arms = (arm *)(void *)(block + strands);
+    uint32_t *indices = (uint32_t *)(void *)(arms + 2 * strands);
+    uint32_t *strand_lists = indices + 2 * points;
+    bool *ring_met = (bool *)(strand_lists + 3 * strands);
+    memset(ring_met, 0, links->ring_count * sizeof(bool));
+    sweep s = {.links = links,
+               .status = {links->points, block, NONE},
+               .strands = block,
+               .arms = arms,
+               .first = indices,
+               .order = indices + points,
+               .ends = strand_lists,
+               .starts = strand_lists + strands,
+               .scratch = strand_lists + 2 * strands,
+               .ring_met = ring_met,
+               .fault = fault};
     const bmr_error error = run(&s, visit, context);
     bmr_release(allocator, block, bytes);
     return error;

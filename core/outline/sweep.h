@@ -28,8 +28,8 @@ typedef struct bmr_strand {
 /// What the sweep meets at one place: all strands that end there, and all that start there, both from below.
 /// The gap above a strand is solid where its `solid_above` says so.
 typedef struct bmr_sweep_event {
-    uint32_t point;        ///< of those in this place, the first
-    uint32_t below, above; ///< the strands next to the place that go past it; NONE where there is none
+    uint32_t point; ///< of those in this place, the first
+    uint32_t below; ///< the strand next below the place that goes past it; NONE where there is none
     const uint32_t *ends, *starts;
     uint32_t end_count, start_count;
 } bmr_sweep_event;

@@ -90,10 +90,6 @@ TEST_CASE("core/convex32") {
             ask.Made(left, count * sizeof *left);
         return error != BMR_OK || tolerance == 0.05f ? ask.Says(error) : VerticesOf(count);
     });
-    Row("bmr_convex32_audit", [](Asked &ask) {
-        bmr_convex32_destroy(nullptr, nullptr);
-        return ask.Says(bmr_convex32_audit(ask.NotNull("polygon", &Convex()->polygon)));
-    });
     Row(
         "bmr_convex32_support, bmr_convex32_support_from",
         [](Asked &ask) {

@@ -146,21 +146,18 @@ typedef struct bmr_outline_pieces {
     const uint32_t *first; ///< piece p has the edges first[p] .. first[p + 1] - 1, counter-clockwise
     const bmr_outline_edge *edges;
     uint32_t edge_count; ///< of all pieces: first[piece_count]
-    /// Notches of the (simplified) outline: corners at which the solid takes more than half a turn.
-    uint32_t notch_count;
-    uint32_t hole_count; ///< holes of the (simplified) outline
 } bmr_outline_pieces;
 
 /// Up to this many points (after the simplification) an outline without holes gets the fewest pieces of all
 /// ways to cut it from corner to corner.
 #define BMR_OUTLINE_OPTIMAL_POINTS 128u
 
-/// Cuts an outline from corner to corner into few convex pieces. With r notches and h holes there are at most
-/// 2r + 1 - h pieces. (More only if the solid hangs together in single points: as many for each part of it.)
-/// Without holes there are at most four times as many as the fewest possible. Up to
-/// BMR_OUTLINE_OPTIMAL_POINTS points there are the fewest possible (Keil and Snoeyink, "On the time bound for
-/// convex decomposition of simple polygons", 2002). In larger outlines, groups of neighbouring pieces that
-/// together are small enough are cut anew in that way.
+/// Cuts an outline from corner to corner into few convex pieces. With r notches (corners at which the
+/// solid takes more than half a turn) and h holes there are at most 2r + 1 - h pieces. (More only if the
+/// solid hangs together in single points: as many for each part of it.) Without holes there are at most four
+/// times as many as the fewest possible. Up to BMR_OUTLINE_OPTIMAL_POINTS points there are the fewest
+/// possible (Keil and Snoeyink, "On the time bound for convex decomposition of simple polygons", 2002). In
+/// larger outlines, groups of neighbouring pieces that together are small enough are cut anew in that way.
 ///
 /// `def` NULL: the defaults. `fault` may be NULL. O(n log n), and for each group of pieces a time that does
 /// not grow with n. Half a megabyte of scratch, and 500 bytes a point; only the result's block stays. Errors:
