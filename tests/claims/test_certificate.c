@@ -61,6 +61,24 @@ TEST(the_opposite_direction_is_outside_the_narrowest_bracket) {
     assert_true(past_low >= -BMR_ROLL_TOLERANCE && past_high >= -BMR_ROLL_TOLERANCE && gap > 0.0);
 }
 
+/// Of a window that is no float's rounding and holds everywhere, all that is lost is what the check's own
+/// arithmetic may be off by: at any size the gap is a lower bound, and hardly lower.
+TEST(what_the_evaluation_loses_is_in_the_offset) {
+    const bmr_vec2 down = {0.0, -1.0}, everywhere = {0.0, 0.0};
+    for (double size = 0x1p-20; size <= 0x1p20; size *= 0x1p20) {
+        const bmr_vec2 end = {0.75 * size, -0.5 * size};
+        bmr_certificate k;
+        bmr_certificate_fill(&k, down, 0.0, &end, 1, everywhere, everywhere, size, size);
+        for (int i = 0; i < 100; ++i) {
+            const bmr_pose q = {{0.0, 0.0}, cos(0.0628 * i), sin(0.0628 * i)};
+            const long double gap = -(long double)q.s * end.x - (long double)q.c * end.y;
+            double below;
+            bmr_certificate_check(&k, &q, 0.0, &below);
+            assert_true(below <= gap && below >= gap - BMR_CERTIFICATE_LOSS * 2.0 * size);
+        }
+    }
+}
+
 TEST(a_half_plane_of_directions_is_a_bracket) {
     // The end of a segment along x is its support in every direction with x >= 0.
     const bmr_vec2 end = {1.0, 0.0}, low = {0.0, -1.0}, high = {0.0, 1.0}, normal = {-1.0, 0.0};

@@ -4,6 +4,9 @@
 // vertices: random/fuzz_convex32.cpp.)
 #include "checks.h"
 #include "convex32/convex32_collide.h"
+#include "convex32/edge_search.h"
+#include "convex32_poses.h"
+#include "convex32_reference.h"
 #include "motions.h"
 
 static const bmr_transform32 here = {{0.0f, 0.0f}, 0.0f, 1.0f};
@@ -177,4 +180,26 @@ TEST(no_two_are_alike) {
     memset(&old, 0, sizeof old);
     bmr_convex32_keep_features(&m, &old, 0.1f);
     assert_int_not_equal(m.points[0].feature.index_b, m.points[1].feature.index_b);
+}
+
+/// The bound by which a search among one polygon's edges spares the other's.
+TEST(no_edge_of_the_other_separates_by_more_than_the_rest) {
+    test_random random = {911};
+    const size_t rounds = test_scaled(5000);
+    size_t needed = 0;
+    for (size_t round = 0; round < rounds; ++round) {
+        own_convex32 *const a = random_convex32(&random, random_kind(&random), 3 + (uint32_t)round % 9),
+                            *const b = random_convex32(&random, random_kind(&random), 40);
+        const bmr_transform32 pose = random_pose32(&random, 2.0),
+                              there = pose_against(&random, &a->polygon, &pose, &b->polygon, 0.02);
+        const edge_search search =
+            edge_search_of(&a->polygon, &b->polygon, bmr_exact32_relative(&there, &pose), 0.005f);
+        edge_found found;
+        bmr_convex32_seek(&search, 0, 0, -FLT_MAX, &found);
+        uint32_t edge;
+        const float most = reference_max_separation(&b->polygon, &there, &a->polygon, &pose, &edge);
+        assert_true(most <= fmaxf(found.rest, found.best.separation) + 1e-5f);
+        needed += most > found.best.separation + 1e-4f;
+    }
+    assert_true(needed > rounds / 4); // control
 }

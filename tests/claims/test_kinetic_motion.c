@@ -115,6 +115,19 @@ TEST(bounds_hold_and_are_not_idle) {
     assert_true(tightest > 0.999 && controls > rounds / 2);
 }
 
+TEST(a_pair_is_as_fast_as_the_fastest_of_its_pieces) {
+    const double times[] = {0.0, 1.0, 2.0};
+    const bmr_vec2 origin = {0.0, 0.0};
+    own_polygon *point = made_polygon(&origin, 1);
+    for (int first = 1; first <= 5; first += 4) { // slow, then fast; fast, then slow
+        const bmr_pose poses[] = {pose_of(0.0, 0.0, 0.0), pose_of(first, 0.0, 0.0), pose_of(6.0, 0.0, 0.0)};
+        own_motion *motion = NULL;
+        assert_int_equal(bmr_motion_create_sampled(times, poses, 3, NULL, &motion), BMR_OK);
+        const bmr_pair_motion pair = {motion, motion, point, point};
+        assert_true(fabs(bmr_pair_speed(&pair, 0.0, 2.0) - 10.0) <= 1e-9);
+    }
+}
+
 TEST(rotations_are_made_of_unit_length) {
     bmr_motion_piece pieces[] = {algebraic(0.0),
                                  bmr_piece_screw(0.0, pose_of(0.0, 0.0, 1.0), bmr_vec2_make(1.0, 0.0), 2.0)};

@@ -87,6 +87,7 @@ TEST(a_box_that_is_passed_is_left) {
     advance(s, 20.0);
     assert_int_equal(s->count, 1);
     assert_int_equal(s->events[BMR_WORLD_LEAVE], 1);
+    assert_int_equal(s->events[BMR_WORLD_PART], 1);
     send(s, moves, -1.0, 0.0, 0.3);
     advance(s, 60.0);
     assert_int_equal(s->count, 2); // and again on the way back
