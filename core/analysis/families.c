@@ -132,7 +132,7 @@ static bmr_error draw(bmr_family_plan *plan, const bmr_family_def *def, const bm
     bmr_error error = BMR_OK;
     size_t bytes;
     const bool is_random_walk = info->path == bmr_path_brownian || info->path == bmr_path_wander;
-    if (is_random_walk && !bmr_size_product(plan->steps, sizeof *plan->draws, SIZE_MAX, &bytes)) {
+    if (is_random_walk && !bmr_size_product(plan->steps, sizeof *plan->draws, &bytes)) {
         error = BMR_ERROR_TOO_LARGE;
     } else if (is_random_walk && plan->steps > 0) {
         plan->draws = bmr_allocate(allocator, bytes);

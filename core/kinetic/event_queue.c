@@ -9,7 +9,7 @@
 
 static bmr_error resize(bmr_event_queue *queue, size_t capacity, const bmr_allocator *allocator) {
     size_t bytes;
-    if (!bmr_size_product(capacity, sizeof *queue->heap, SIZE_MAX, &bytes))
+    if (!bmr_size_product(capacity, sizeof *queue->heap, &bytes))
         return BMR_ERROR_TOO_LARGE;
     bmr_event_entry *heap = bmr_allocate(allocator, bytes);
     if (!heap)

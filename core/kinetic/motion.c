@@ -243,7 +243,7 @@ bmr_motion_piece bmr_piece_screw(double origin, bmr_pose pose, bmr_vec2 velocity
 
 static bmr_error make_motion(size_t capacity, const bmr_allocator *allocator, bmr_motion **motion) {
     size_t bytes;
-    if (!bmr_size_product(capacity, sizeof(bmr_timed_piece), SIZE_MAX, &bytes))
+    if (!bmr_size_product(capacity, sizeof(bmr_timed_piece), &bytes))
         return BMR_ERROR_TOO_LARGE;
     bmr_motion *made = bmr_allocate(allocator, sizeof *made);
     bmr_timed_piece *pieces = made ? bmr_allocate(allocator, bytes) : NULL;
@@ -365,7 +365,7 @@ static size_t find(const bmr_motion *motion, double time) {
 static bmr_error grow(bmr_motion *motion) {
     const size_t size = sizeof *motion->pieces;
     size_t bytes;
-    if (!bmr_size_product(motion->capacity, 2 * size, SIZE_MAX, &bytes))
+    if (!bmr_size_product(motion->capacity, 2 * size, &bytes))
         return BMR_ERROR_TOO_LARGE;
     const size_t capacity = 2 * motion->capacity;
     bmr_timed_piece *pieces = bmr_allocate(motion->allocator, bytes);

@@ -10,7 +10,6 @@
 #include "kinetic/event_queue.h"
 #include "kinetic/failure.h"
 #include "kinetic/motion.h"
-#include "kinetic/simulation_layout.h"
 
 /// The search for a pair's next event goes ahead by this many times the time between its last events, then by
 /// twice that, and so on. So most searches find the event at once, and few look far beyond it in vain.
@@ -288,49 +287,31 @@ static bool def_makes_sense(const bmr_simulation_def *def) {
            def->contact_step > 0.0;
 }
 
-bool bmr_simulation_lay_out(size_t bodies, size_t limit, bmr_simulation_layout *layout) {
-    // One of the two factors is even.
-    const size_t even = bodies % 2 == 0 ? bodies : bodies - 1, odd = bodies % 2 == 0 ? bodies - 1 : bodies;
-    bmr_simulation_layout l = {.bytes = sizeof(bmr_simulation)};
-    if (!bmr_size_product(even / 2, odd, limit, &l.pair_count))
-        return false;
-    const struct {
-        size_t *begin, count, each;
-    } arrays[] = {{&l.shapes, bodies, sizeof(bmr_shape)},
-                  {&l.motions, bodies, sizeof(bmr_motion *)},
-                  {&l.pairs, l.pair_count, sizeof(pair)},
-                  {&l.queue, l.pair_count, sizeof(bmr_event_entry)}};
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
-        if (!bmr_size_add(&l.bytes, arrays[i].count, arrays[i].each, _Alignof(max_align_t), limit,
-                          arrays[i].begin))
-            return false;
-    *layout = l;
-    return true;
-}
-
 /// Of two events of one time: the pair of the lower number.
 static bool comes_first(const bmr_event_item *a, const bmr_event_item *b) {
     return a < b;
 }
 
 static bmr_error make(size_t bodies, const bmr_allocator *allocator, bmr_simulation **made) {
-    bmr_simulation_layout l;
-    if (!bmr_simulation_lay_out(bodies, SIZE_MAX, &l))
+    // As many shapes and motions are in memory, so only the pairs can be too many.
+    if (bodies - 1 > SIZE_MAX / sizeof(pair) / bodies)
         return BMR_ERROR_TOO_LARGE;
-    unsigned char *block = bmr_allocate(allocator, l.bytes);
-    if (!block)
+    const size_t pairs = bodies * (bodies - 1) / 2;
+    const size_t bytes = sizeof(bmr_simulation) + pairs * (sizeof(pair) + sizeof(bmr_event_entry)) +
+                         bodies * (sizeof(bmr_shape) + sizeof(bmr_motion *));
+    bmr_simulation *s = bmr_allocate(allocator, bytes);
+    if (!s)
         return BMR_ERROR_NO_MEMORY;
-    memset(block, 0, l.bytes);
-    bmr_simulation *s = (bmr_simulation *)(void *)block;
+    memset(s, 0, bytes);
     s->allocator = allocator;
-    s->bytes = l.bytes;
+    s->bytes = bytes;
     s->body_count = bodies;
-    s->pair_count = l.pair_count;
-    s->shapes = (void *)(block + l.shapes);
-    s->motions = (void *)(block + l.motions);
-    s->pairs = (void *)(block + l.pairs);
-    s->queue.heap = (void *)(block + l.queue);
-    s->queue.capacity = l.pair_count;
+    s->pair_count = pairs;
+    s->pairs = (void *)(s + 1);
+    s->queue.heap = (void *)(s->pairs + pairs);
+    s->shapes = (void *)(s->queue.heap + pairs);
+    s->motions = (void *)(s->shapes + bodies);
+    s->queue.capacity = pairs;
     s->queue.before = comes_first;
     *made = s;
     return BMR_OK;

@@ -436,7 +436,7 @@ static bmr_error find_place(bmr_world *w, size_t *place) {
     if (w->places == w->capacity) {
         const size_t capacity = w->capacity ? 2 * w->capacity : 16;
         size_t bytes;
-        if (w->capacity > UINT32_MAX / 4 || !bmr_size_product(capacity, BMR_PLACE_BYTES, SIZE_MAX, &bytes))
+        if (w->capacity > UINT32_MAX / 4 || !bmr_size_product(capacity, BMR_PLACE_BYTES, &bytes))
             return BMR_ERROR_TOO_LARGE;
         bmr_world_body **bodies = bmr_world_take(w, bytes);
         if (!bodies)
@@ -511,7 +511,6 @@ static bmr_error make_body(bmr_world *w, const bmr_body_def *def, bmr_world_body
     r->radius = radius_of(def->shape->polygon);
     r->mass = def->mass;
     r->inertia = def->inertia;
-    r->user = def->user;
     take(w, r, &piece, until, plan);
     *body = r;
     return BMR_OK;

@@ -111,7 +111,7 @@ static bmr_cell *find(const bmr_world *w, int level, int64_t column, int64_t row
 /// A table of another size, if there is memory for one; any size is right.
 static bmr_error resize(bmr_world *w, size_t size) {
     size_t bytes;
-    if (!bmr_size_product(size, sizeof(bmr_cell *), SIZE_MAX, &bytes))
+    if (!bmr_size_product(size, sizeof(bmr_cell *), &bytes))
         return BMR_ERROR_TOO_LARGE;
     bmr_cell **table = bmr_world_take(w, bytes);
     if (!table)
@@ -316,7 +316,7 @@ static bmr_error add_candidate(bmr_world *w, bmr_world_body *r, int64_t image_x,
     if (w->candidate_count == w->candidate_capacity) {
         const size_t capacity = w->candidate_capacity ? 2 * w->candidate_capacity : 16;
         size_t bytes;
-        if (!bmr_size_product(capacity, sizeof *w->candidates, SIZE_MAX, &bytes))
+        if (!bmr_size_product(capacity, sizeof *w->candidates, &bytes))
             return BMR_ERROR_TOO_LARGE;
         bmr_candidate *more = bmr_world_take(w, bytes);
         if (!more)

@@ -28,7 +28,7 @@ bmr_world_def bmr_default_world_def(void) {
 }
 
 bmr_body_def bmr_default_body_def(const bmr_shape *shape, const bmr_motion *motion) {
-    bmr_body_def def = {shape, motion, INFINITY, INFINITY, NULL};
+    bmr_body_def def = {shape, motion, INFINITY, INFINITY};
     bmr_mass mass;
     if (shape && shape->polygon && bmr_polygon_mass(shape->polygon, &mass) == BMR_OK) {
         def.mass = mass.area;

@@ -54,7 +54,6 @@ struct bmr_world_body {
     const bmr_wall_segments *segments; ///< what it sees of walls; NULL where there are none
     double radius;                     ///< of the disk around the origin
     double mass, inertia;
-    void *user;
 
     bmr_timed_piece now; ///< what it moves on, as a motion of one piece
     double since, until; ///< when that began to hold, and ends

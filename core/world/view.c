@@ -26,7 +26,6 @@ bmr_error bmr_world_get(const bmr_world *w, bmr_body body, bmr_body_state *state
     state->piece = r->now.piece;
     state->mass = r->mass;
     state->inertia = r->inertia;
-    state->user = r->user;
     state->radius = r->radius;
     state->pairs = r->pairs;
     if (r->cell) {

@@ -58,8 +58,7 @@ typedef struct bmr_simulation_counts {
 /// outlive it. Every pair gets a structure and a START (or is in CONTACT). Memory: one block of the allocator
 /// (NULL: malloc) and one for each pair; nothing later. Errors: NULL_ARGUMENT, NOT_FINITE (time),
 /// OUT_OF_RANGE (fewer than two bodies, a def that makes no sense), TOO_LARGE (k bodies take about 76 k^2
-/// bytes, less with pointers of 32 bits; 7,500 bodies take less than 2^32), NO_MEMORY, and those of
-/// bmr_kds_create.
+/// bytes, which must not be more than half of what can be addressed), NO_MEMORY, and those of bmr_kds_create.
 bmr_error bmr_simulation_create(const bmr_simulation_def *def, const bmr_shape *shapes,
                                 bmr_motion *const *motions, size_t count, double time,
                                 bmr_simulation_observer observer, void *context,

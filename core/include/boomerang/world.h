@@ -190,7 +190,6 @@ typedef struct bmr_body_def {
     /// For the ready answers; INFINITY: nothing moves it. Both > 0. `inertia` is about the frame's origin,
     /// which counts as the centre of mass.
     double mass, inertia;
-    void *user;
 } bmr_body_def;
 /// A body of density 1 that moves as given. Its mass is the polygon's (bmr_polygon_mass), its inertia the
 /// polygon's about the frame's origin. INFINITY for a polygon that has none.
@@ -271,7 +270,6 @@ typedef struct bmr_body_state {
     const bmr_shape *shape;
     bmr_motion_piece piece; ///< the piece that it moves on
     double mass, inertia;
-    void *user;
     double radius; ///< of the disk around its origin
     /// The cell that it is in (its sides, without the hysteresis of 1/16 on each), and `level`, its grid's.
     /// Cells of the next level are twice as wide. All zero with all_pairs in an open world.
