@@ -149,3 +149,19 @@ AS_STOCK("no time: a sleeper is pushed ahead of a step of no time, which forgets
     game.Step(5);
     game.TookPlace(slept, "a sleeper is pushed");
 }
+
+AS_STOCK("a body that nothing touches falls asleep after one position iteration, and not without any") {
+    Game game(run);
+    for (int i = 0; i < 30; ++i)
+        for (const float y : {50.0f, 50.9f})
+            game.Awake({-100.0f + 3.0f * Real(i), y}, {0.4f, 0.4f});
+    b2Body *const alone = game.Box({0.0f, -50.0f});
+    int slept[2] = {};
+    for (const int iterations : {0, 1})
+        for (int i = 0; i < 60; ++i) {
+            game.world.Step(1.0f / 60.0f, 8, iterations);
+            game.WriteDown();
+            slept[iterations] += !alone->IsAwake();
+        }
+    game.TookPlace(slept[1], "a body falls asleep");
+}

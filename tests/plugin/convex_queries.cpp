@@ -160,7 +160,9 @@ TEST_CASE("b2ShapeCast and b2TimeOfImpact, outside of any step") {
         cast.transformB.Set(from, 2.0f * turn);
         cast.translationB = -from;
         b2ShapeCastOutput hit;
+        hit.iterations = 0;
         REQUIRE(b2ShapeCast(&hit, &cast));
+        CHECK(hit.iterations > 0);
         // Box2D's own casts stop up to half a slop further away.
         const float gap = 10.0f * (1.0f - hit.lambda) - 2.0f;
         CHECK(gap < 2.0f * b2_linearSlop + 0.51f * b2_linearSlop);
