@@ -43,6 +43,8 @@ BMR_NAME_MEMBER(Torque, b2Body, m_torque, float b2Body::*);
 BMR_NAME_MEMBER(InverseMass, b2Body, m_invMass, float b2Body::*);
 BMR_NAME_MEMBER(InverseInertia, b2Body, m_invI, float b2Body::*);
 BMR_NAME_MEMBER(SynchronizeFixtures, b2Body, SynchronizeFixtures, void (b2Body::*)());
+BMR_NAME_MEMBER(SynchronizeTransform, b2Body, SynchronizeTransform, void (b2Body::*)());
+BMR_NAME_MEMBER(AdvanceBody, b2Body, Advance, void (b2Body::*)(float));
 BMR_NAME_MEMBER(SleepTime, b2Body, m_sleepTime, float b2Body::*);
 
 BMR_NAME_MEMBER(InitVelocityConstraints, b2Joint, InitVelocityConstraints,
@@ -51,6 +53,11 @@ BMR_NAME_MEMBER(SolveVelocityConstraints, b2Joint, SolveVelocityConstraints,
                 void (b2Joint::*)(const b2SolverData &));
 BMR_NAME_MEMBER(SolvePositionConstraints, b2Joint, SolvePositionConstraints,
                 bool (b2Joint::*)(const b2SolverData &));
+
+BMR_NAME_MEMBER(TreeNodes, b2DynamicTree, m_nodes, b2TreeNode *b2DynamicTree::*);
+BMR_NAME_MEMBER(TreeCapacity, b2DynamicTree, m_nodeCapacity, int32 b2DynamicTree::*);
+BMR_NAME_MEMBER(TreeRoot, b2DynamicTree, m_root, int32 b2DynamicTree::*);
+BMR_NAME_MEMBER(TreeInsertions, b2DynamicTree, m_insertionCount, int32 b2DynamicTree::*);
 
 BMR_NAME_MEMBER(Tree, b2BroadPhase, m_tree, b2DynamicTree b2BroadPhase::*);
 BMR_NAME_MEMBER(JointInIsland, b2Joint, m_islandFlag, bool b2Joint::*);

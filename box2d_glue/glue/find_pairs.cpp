@@ -8,6 +8,7 @@
 #include <box2d/b2_contact_manager.h>
 #include <box2d/b2_fixture.h>
 
+#include "base/memory.h"
 #include "base/private_members.h"
 #include "debug/verify.h"
 #include "glue/contacts/solid_contact.h"

@@ -13,32 +13,6 @@
 
 namespace bmr {
 
-void Advance(b2Sweep *sweep, float alpha) {
-    const float beta = (alpha - sweep->alpha0) / (1.0f - sweep->alpha0);
-    sweep->c0.x += beta * (sweep->c.x - sweep->c0.x);
-    sweep->c0.y += beta * (sweep->c.y - sweep->c0.y);
-    sweep->a0 += beta * (sweep->a - sweep->a0);
-    sweep->alpha0 = alpha;
-}
-
-void SynchronizeTransform(b2Body *body) {
-    const b2Sweep &sweep = SweepOf(*body);
-    b2Transform &xf = body->*Named(TransformMember());
-    xf.q.s = sinf(sweep.a);
-    xf.q.c = cosf(sweep.a);
-    const b2Vec2 &center = sweep.localCenter;
-    xf.p.x = sweep.c.x - (xf.q.c * center.x - xf.q.s * center.y);
-    xf.p.y = sweep.c.y - (xf.q.s * center.x + xf.q.c * center.y);
-}
-
-void Advance(b2Body *body, float alpha) {
-    b2Sweep &sweep = SweepOf(body);
-    Advance(&sweep, alpha);
-    sweep.c = sweep.c0;
-    sweep.a = sweep.a0;
-    SynchronizeTransform(body);
-}
-
 namespace {
 
 b2TimeStep RestOf(const b2TimeStep &step, float time) {
@@ -72,7 +46,7 @@ void ImpactPass::BeforeGame() {
 
 void ImpactPass::PutBack(b2Body *body, const b2Sweep &sweep) {
     SweepOf(body) = sweep;
-    SynchronizeTransform(body);
+    (body->*Named(SynchronizeTransform()))();
 }
 
 /// Lets the two bodies of the contact meet. False where they do not touch then, or are not to: they go on as
@@ -85,8 +59,8 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
     }
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
     const b2Sweep sweepA = SweepOf(*a), sweepB = SweepOf(*b);
-    Advance(a, time);
-    Advance(b, time);
+    (a->*Named(AdvanceBody()))(time);
+    (b->*Named(AdvanceBody()))(time);
     Update(contact);
     ForgetTime(contact);
     ++ContactAccess::CountOfImpacts(contact);
@@ -156,7 +130,7 @@ void ImpactPass::Spread(b2Body *body, float time, Island *island) {
             continue;
         const b2Sweep sweep = SweepOf(*other);
         if (!BodyInIsland::Is(other))
-            Advance(other, time);
+            (other->*Named(AdvanceBody()))(time);
         Update(contact);
         if (!IsSolidAndTouches(*contact)) {
             PutBack(other, sweep);

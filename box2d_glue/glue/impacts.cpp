@@ -285,9 +285,9 @@ float ImpactPass::FindTime(b2Contact *contact) {
     b2Sweep &sweepA = SweepOf(a), &sweepB = SweepOf(b);
     const float from = b2Max(sweepA.alpha0, sweepB.alpha0);
     if (sweepA.alpha0 < sweepB.alpha0)
-        Advance(&sweepA, from);
+        sweepA.Advance(from);
     else if (sweepB.alpha0 < sweepA.alpha0)
-        Advance(&sweepB, from);
+        sweepB.Advance(from);
     const float time = TimeOf(contact, from);
     ContactAccess::TimeOfImpact(contact) = time;
     ContactAccess::Flags(contact) |= ContactAccess::kTimeIsKnown;

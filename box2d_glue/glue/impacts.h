@@ -13,11 +13,6 @@
 
 namespace bmr {
 
-// Box2D's functions of these names, with the same bits.
-void Advance(b2Sweep *sweep, float alpha);
-void Advance(b2Body *body, float alpha);
-void SynchronizeTransform(b2Body *body);
-
 class ImpactScan;
 class IslandSolver;
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/compiler.h"
+#include "base/private_members.h"
 #include "tree/box.h"
 
 class b2Body;
@@ -16,28 +17,6 @@ class b2Body;
 /// are left with the same bits.
 
 namespace bmr::tree {
-
-/// The private members of a tree: b2DynamicTree::Query is instantiated for this, and hands them out.
-struct TreeMembers {
-    b2TreeNode *nodes;
-    int32 capacity;
-    int32 *root, *insertionCount;
-};
-
-} // namespace bmr::tree
-
-template <> inline void b2DynamicTree::Query(bmr::tree::TreeMembers *out, const b2AABB &) const {
-    auto *self = const_cast<b2DynamicTree *>(this);
-    *out = {m_nodes, m_nodeCapacity, &self->m_root, &self->m_insertionCount};
-}
-
-namespace bmr::tree {
-
-inline TreeMembers MembersOf(const b2DynamicTree &tree) {
-    TreeMembers members;
-    tree.Query(&members, b2AABB());
-    return members;
-}
 
 /// A node on the way down, the perimeter of its box, and that of the box around it and the leaf.
 ///
@@ -72,12 +51,13 @@ private:
 /// What b2DynamicTree does to its nodes.
 class TreeEdit {
 public:
-    explicit TreeEdit(const TreeMembers &tree) : m_tree(tree), m_nodes(tree.nodes) {}
+    explicit TreeEdit(b2DynamicTree *tree) : m_tree(*tree), m_nodes(tree->*Named(TreeNodes())) {}
 
     /// Is this a leaf that is in the tree? Box2D asserts that it is one. (A node that is free has a height
     /// below 0.)
     bool HasLeaf(int32 id) const {
-        return 0 <= id && id < m_tree.capacity && m_nodes[id].IsLeaf() && m_nodes[id].height == 0;
+        return 0 <= id && id < m_tree.*Named(TreeCapacity()) && m_nodes[id].IsLeaf() &&
+               m_nodes[id].height == 0;
     }
 
     /// The rest of b2DynamicTree::MoveProxy of a leaf that is in the tree; `fat` is finite. Box2D frees the
@@ -86,8 +66,8 @@ public:
         b2TreeNode &node = m_nodes[leaf];
         node.aabb = fat;
         node.moved = true;
-        ++*m_tree.insertionCount;
-        if (leaf == *m_tree.root)
+        ++(m_tree.*Named(TreeInsertions()));
+        if (leaf == m_tree.*Named(TreeRoot()))
             return;
         const int32 parent = node.parent;
         Refit(TakeOut(leaf));
@@ -99,7 +79,7 @@ private:
     /// `parent` has `now` for a child, where it had `before`; without a parent that is the tree's root.
     void Replace(int32 parent, int32 before, int32 now) {
         if (parent == b2_nullNode) {
-            *m_tree.root = now;
+            m_tree.*Named(TreeRoot()) = now;
             return;
         }
         b2TreeNode &node = m_nodes[parent];
@@ -126,7 +106,7 @@ private:
     }
 
     Place Root(const LeafBox &leaf) const {
-        const int32 root = *m_tree.root;
+        const int32 root = m_tree.*Named(TreeRoot());
         const Box box = BoxOf(m_nodes[root].aabb);
         const Perimeters of = leaf.With(box, box);
         return {root, of.first, of.aroundFirst};
@@ -213,7 +193,7 @@ private:
         node->height = 1 + b2Max(first.height, second.height);
     }
 
-    TreeMembers m_tree;
+    b2DynamicTree &m_tree;
     b2TreeNode *m_nodes;
 };
 
@@ -253,20 +233,19 @@ inline bool Stays(const b2AABB &leaf, const b2AABB &aabb, const b2AABB &fat) {
            Larger(fat, 4.0f * b2Vec2(b2_aabbExtension, b2_aabbExtension)).Contains(leaf);
 }
 
-BMR_NOINLINE inline void MoveLeaf(const b2DynamicTree &tree, int32 id, const b2AABB &fat) {
-    TreeEdit(MembersOf(tree)).Move(id, fat);
+BMR_NOINLINE inline void MoveLeaf(b2DynamicTree *tree, int32 id, const b2AABB &fat) {
+    TreeEdit(tree).Move(id, fat);
 }
 
 /// Says whether it did it. If it did not, nothing was written.
-inline bool MoveHere(const b2DynamicTree &tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement,
+inline bool MoveHere(b2DynamicTree *tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement,
                      bool *moved) {
-    const TreeMembers members = MembersOf(tree);
     b2AABB fat = Fat(aabb);
     Foretell(displacement.x, &fat.lowerBound.x, &fat.upperBound.x);
     Foretell(displacement.y, &fat.lowerBound.y, &fat.upperBound.y);
-    if (!IsFinite(fat) || !TreeEdit(members).HasLeaf(id))
+    if (!IsFinite(fat) || !TreeEdit(tree).HasLeaf(id))
         return false;
-    *moved = !Stays(members.nodes[id].aabb, aabb, fat);
+    *moved = !Stays((tree->*Named(TreeNodes()))[id].aabb, aabb, fat);
     if (*moved) // most stay, and need no edit
         MoveLeaf(tree, id, fat);
     return true;

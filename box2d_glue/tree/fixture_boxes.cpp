@@ -119,7 +119,7 @@ bool IsFinite(const Swept &swept) {
 /// b2BroadPhase::MoveProxy. Box2D's own is asked for boxes that are not finite.
 void MoveProxy(b2BroadPhase *broadPhase, const b2FixtureProxy &proxy, const b2Vec2 &displacement) {
     bool moved;
-    if (!MoveHere(broadPhase->*Named(Tree()), proxy.proxyId, proxy.aabb, displacement, &moved))
+    if (!MoveHere(&(broadPhase->*Named(Tree())), proxy.proxyId, proxy.aabb, displacement, &moved))
         broadPhase->MoveProxy(proxy.proxyId, proxy.aabb, displacement);
     else if (moved)
         broadPhase->TouchProxy(proxy.proxyId);

@@ -7,7 +7,7 @@
 #include <box2d/b2_fixture.h>
 
 #include "base/columns.h"
-#include "base/memory.h"
+#include "base/private_members.h"
 #include "tree/box.h"
 
 /// @file
@@ -18,20 +18,6 @@
 /// boxes of all groups that have come to its parent. At a leaf each proxy of a group is held against it. A
 /// leaf's box lies in those of the nodes above it, so a proxy finds the leaves that it would find alone, in
 /// the order of the descent. That is not so where a box is not a number: then each proxy is a group.
-
-namespace bmr::tree {
-
-/// The private members of a tree: b2DynamicTree::Query is instantiated for this, and hands them out.
-struct TreeNodes {
-    const b2TreeNode *nodes;
-    int32 root;
-};
-
-} // namespace bmr::tree
-
-template <> inline void b2DynamicTree::Query(bmr::tree::TreeNodes *out, const b2AABB &) const {
-    *out = {m_nodes, m_root};
-}
 
 namespace bmr::tree {
 
@@ -72,12 +58,10 @@ struct DescentRoom {
 template <typename Keep> class PairDescent {
 public:
     PairDescent(const b2DynamicTree &tree, DescentRoom *room, const Keep &keep)
-        : m_tree(tree), m_room(*room), m_keep(keep) {
-        tree.Query(&m_nodes, b2AABB());
-    }
+        : m_tree(tree), m_nodes(tree.*Named(TreeNodes())), m_room(*room), m_keep(keep) {}
 
     void Run(const int32 *moves, int32 count) {
-        if (m_nodes.root == b2_nullNode)
+        if (m_tree.*Named(TreeRoot()) == b2_nullNode)
             return;
         // More at a time would not stay in the processor's caches.
         constexpr int32 kAtATime = 1024, kMostOfGroup = 16;
@@ -132,7 +116,7 @@ private:
         while (waiting.GetCount() > 0) {
             // Down one branch, which is the second child's where there are two; the others wait.
             Visit visit = waiting.Pop();
-            while (visit.begin < visit.end && !m_nodes.nodes[visit.node].IsLeaf()) {
+            while (visit.begin < visit.end && !m_nodes[visit.node].IsLeaf()) {
                 const Visit first = Divide(&visit);
                 if (first.begin < first.end)
                     waiting.Push(first);
@@ -144,9 +128,10 @@ private:
     }
 
     Visit Root() {
-        const Box box = BoxOf(m_nodes.nodes[m_nodes.root].aabb);
+        const int32 root = m_tree.*Named(TreeRoot());
+        const Box box = BoxOf(m_nodes[root].aabb);
         m_numbers = HasNumbers(box);
-        Visit visit = {m_nodes.root, 0, 0};
+        Visit visit = {root, 0, 0};
         m_room.lists.Reserve(m_groupCount);
         for (uint32_t i = 0; i < m_groupCount; ++i) {
             m_room.lists[visit.end] = i;
@@ -158,9 +143,8 @@ private:
     /// Goes on to the second child, whose list comes behind the node's. Returns the first child, whose list
     /// takes the node's place.
     Visit Divide(Visit *visit) {
-        const b2TreeNode &node = m_nodes.nodes[visit->node];
-        const Box box1 = BoxOf(m_nodes.nodes[node.child1].aabb),
-                  box2 = BoxOf(m_nodes.nodes[node.child2].aabb);
+        const b2TreeNode &node = m_nodes[visit->node];
+        const Box box1 = BoxOf(m_nodes[node.child1].aabb), box2 = BoxOf(m_nodes[node.child2].aabb);
         m_numbers = m_numbers && HasNumbers(box1) && HasNumbers(box2);
         const uint32_t begin = visit->begin, end = visit->end;
         m_room.lists.Reserve(2 * end - begin);
@@ -179,7 +163,7 @@ private:
     }
 
     void Take(const Visit &leaf) {
-        const b2TreeNode &node = m_nodes.nodes[leaf.node];
+        const b2TreeNode &node = m_nodes[leaf.node];
         const b2Body *const body = BodyOf(node.userData);
         const Box box = BoxOf(node.aabb);
         for (uint32_t i = leaf.begin; i < leaf.end; ++i) {
@@ -213,7 +197,7 @@ private:
     }
 
     const b2DynamicTree &m_tree;
-    TreeNodes m_nodes;
+    const b2TreeNode *m_nodes;
     DescentRoom &m_room;
     const Keep &m_keep;
     uint32_t m_proxyCount = 0, m_groupCount = 0, m_found = 0;

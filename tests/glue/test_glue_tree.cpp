@@ -13,7 +13,7 @@
 
 // --- Random operations on trees of boxes, and all that is in a tree.
 
-/// What TreeMembers does not have.
+/// What private_members.h does not name.
 struct MembersOfNodes {
     int32 count, freeList;
 };
@@ -29,15 +29,16 @@ using namespace bmr::tree;
 /// All bits of a tree: members, and every field of every node in use, and the list of those that are not.
 /// (Box2D leaves the other fields of nodes that it never handed out as malloc gave them.)
 std::vector<uint32_t> BitsOf(const b2DynamicTree &tree) {
-    const TreeMembers t = MembersOf(tree);
     MembersOfNodes more;
     tree.Query(&more, b2AABB());
+    const int32 capacity = tree.*Named(bmr::TreeCapacity());
     std::vector<uint32_t> bits;
     const auto take = [&bits](auto value) { bits.push_back(static_cast<uint32_t>(value)); };
-    for (const int32 member : {*t.root, more.count, t.capacity, more.freeList, *t.insertionCount})
+    for (const int32 member : {tree.*Named(bmr::TreeRoot()), more.count, capacity, more.freeList,
+                               tree.*Named(bmr::TreeInsertions())})
         take(member);
-    for (int32 id = 0; id < t.capacity; ++id) {
-        const b2TreeNode &node = t.nodes[id];
+    for (int32 id = 0; id < capacity; ++id) {
+        const b2TreeNode &node = (tree.*Named(bmr::TreeNodes()))[id];
         take(node.next);
         take(node.height);
         if (node.height < 0)
@@ -179,7 +180,7 @@ struct Ours {
 
     void operator()(b2DynamicTree *tree, int32 leaf, const b2AABB &box, const b2Vec2 &displacement) {
         bool isMoved = false;
-        const bool isDone = MoveHere(*tree, leaf, box, displacement, &isMoved);
+        const bool isDone = MoveHere(tree, leaf, box, displacement, &isMoved);
         ++(isDone ? here : box2d);
         moved += isDone && isMoved ? 1 : 0;
         if (!isDone)
@@ -240,16 +241,16 @@ TEST_CASE("ids of no leaf in the tree are Box2D's to assert on") {
     box.lowerBound.SetZero();
     box.upperBound.Set(1.0f, 1.0f);
     const int32 a = tree.CreateProxy(box, nullptr), b = tree.CreateProxy(box, nullptr);
-    const int32 parent = *MembersOf(tree).root;
+    const int32 parent = tree.*Named(bmr::TreeRoot());
     tree.DestroyProxy(b);
     const std::vector<uint32_t> before = BitsOf(tree);
     bool moved;
     for (const int32 id : {-1, b, parent, 15, 16, 1 << 30}) {
-        CHECK_FALSE(MoveHere(tree, id, box, b2Vec2(50.0f, 0.0f), &moved));
+        CHECK_FALSE(MoveHere(&tree, id, box, b2Vec2(50.0f, 0.0f), &moved));
     }
     CHECK(BitsOf(tree) == before);
     box.upperBound.Set(9.0f, 9.0f);
-    CHECK(MoveHere(tree, a, box, b2Vec2(50.0f, 0.0f), &moved));
+    CHECK(MoveHere(&tree, a, box, b2Vec2(50.0f, 0.0f), &moved));
     CHECK(moved);
 }
 
