@@ -6,12 +6,12 @@
 # Its parts, each to be had alone by `cmake --install build --component NAME`:
 #
 #   runtime               the plugin
-#   tools                 `boomerang`, which tries games, and its manual page
+#   tools                 `boomerang`, which tries games
 #   core, kinetic         the shared libraries of core, for programs in C and for Python
 #   development           headers, static libraries, the CMake package, pkg-config files, the sources that boomerang_accelerate
 #                         compiles; without what needs GSL, which is
 #   development_kinetic   the same of boomerang::kinetic
-#   testbed               boomerang-testbed, its workers, its manual page
+#   testbed               boomerang-testbed, its workers
 #   documentation         README.md, docs/, and what these link to
 #   python                the Python module
 #
@@ -99,7 +99,6 @@ if(TARGET boomerang_box2d AND CMAKE_SYSTEM_NAME STREQUAL "Linux") # `boomerang t
   file(RELATIVE_PATH boomerang_bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
   configure_file(plugin/boomerang.sh.in bin/boomerang @ONLY)
   install(PROGRAMS ${PROJECT_BINARY_DIR}/bin/boomerang DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
-  install(FILES ${PROJECT_SOURCE_DIR}/plugin/boomerang.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
 endif()
 if(BOOMERANG_INSTALL_TESTBED AND TARGET boomerang-testbed)
   # The workers lie beside the program, which looks for them there; what they load is found from wherever that is.
