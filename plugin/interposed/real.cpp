@@ -75,27 +75,16 @@ uint64_t ChangesOfLoader() {
     return changes;
 }
 
-thread_local uint32_t callsUnderWay = 0;
-thread_local uint64_t changesAtCall = 0; ///< of the loader's list, when the outermost of them began
-
 } // namespace
-
-CallIntoModule::CallIntoModule() {
-    if (callsUnderWay++ == 0)
-        changesAtCall = ChangesOfLoader();
-}
-
-CallIntoModule::~CallIntoModule() {
-    --callsUnderWay;
-}
 
 bool Box2DStays() {
     return boundReference != nullptr;
 }
 
 void *FoundFunction::Find() {
+    const uint64_t changes = ChangesOfLoader();
     if (m_guard.try_lock()) {
-        void *const known = m_changes == changesAtCall ? m_found : nullptr;
+        void *const known = m_changes == changes ? m_found : nullptr;
         m_guard.unlock();
         if (known != nullptr)
             return known;
@@ -109,7 +98,7 @@ void *FoundFunction::Find() {
     }
     if (m_guard.try_lock()) {
         m_found = found;
-        m_changes = changesAtCall;
+        m_changes = changes;
         m_guard.unlock();
     }
     return found;

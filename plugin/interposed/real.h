@@ -28,17 +28,6 @@
 
 namespace bmr {
 
-/// A call of a function in a Box2D that may be closed again: one that was opened after this library was
-/// loaded. While such a call is under way on this thread its Box2D stays loaded. So the loader's list of what
-/// is loaded is asked for changes by the outermost call alone.
-class CallIntoModule {
-public:
-    CallIntoModule();
-    ~CallIntoModule();
-    CallIntoModule(const CallIntoModule &) = delete;
-    CallIntoModule &operator=(const CallIntoModule &) = delete;
-};
-
 /// Where one of Box2D's functions is.
 class FoundFunction {
 public:
@@ -46,8 +35,8 @@ public:
 
     /// The next definition of the name after this library's; where there is none, that of a module which was
     /// opened for itself (dlopen with RTLD_LOCAL): of several, the one that was loaded first. Looked up again
-    /// where files were loaded or closed meanwhile; no file is kept open. Within a CallIntoModule. Ends the
-    /// program if no module has it: a function that is called must be somewhere.
+    /// where files were loaded or closed meanwhile; no file is kept open. Ends the program if no module has
+    /// it: a function that is called must be somewhere.
     void *Find();
 
 private:
@@ -78,7 +67,6 @@ public:
 
 private:
     BMR_COLD Result FindAndCall(Arguments... arguments) {
-        const CallIntoModule call;
         Function *const function = reinterpret_cast<Function *>(m_found.Find());
         if (Box2DStays())
             m_function.store(function, std::memory_order_relaxed);

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <initializer_list>
 #include <string_view>
 
 #include <box2d/b2_contact.h>
@@ -82,12 +81,8 @@ constexpr Symbol kSymbols[] = {
 std::atomic<bool> programHasItsOwn{false};
 
 constexpr char kStep[] = "_ZN7b2World4StepEfii";
-constexpr char kWorld[] = "_ZN7b2WorldC1ERK6b2Vec2";
 constexpr char kCompiledIn[] = "libboomerang_box2d.so is a second copy here. The Box2D of this "
                                "process is compiled with Boomerang, or another copy is loaded, too";
-constexpr char kOwnMemory[] =
-    "the program defines b2Alloc_Default or b2Free_Default itself, which Box2D's library has, too. "
-    "Compile Box2D with the program (boomerang_accelerate)";
 constexpr char kInside[] = "the program has a Box2D of its own inside (boomerang_accelerate is for that)";
 
 const void *OurFile() {
@@ -197,7 +192,6 @@ const char *WhyNoStepIsSeen() {
 
 /// The same for a module's own Box2D, if AnyBox2DBehind() is false and a step is seen all the same.
 const char *WhyModuleIsLeftAlone() {
-    const CallIntoModule call;
     const std::string_view path = PathOf(FoundFunction(kStep).Find());
     if (FileName(path).substr(0, 8) == "libbox2d")
         return NameBoth("the Box2D of this process is a module's own (dlopen)", path.data());
@@ -223,11 +217,6 @@ const char *WhyLibraryIsUnknown() {
         return kCompiledIn;
     if (programHasItsOwn)
         return kInside;
-    // (Some builds of Box2D call these two by name, others their own.)
-    const bool isBox2DInside = IsInProgram(Find(kWorld));
-    for (const char *const memory : {"_Z15b2Alloc_Defaulti", "_Z14b2Free_DefaultPv"})
-        if (IsInProgram(Find(memory)) && !isBox2DInside)
-            return kOwnMemory;
     for (const Symbol &symbol : kSymbols) {
         const void *found = Find(symbol.name);
         if (found == nullptr && IsInProgram(Find(kStep)))
@@ -239,7 +228,7 @@ const char *WhyLibraryIsUnknown() {
         }
     }
     if (!Box2DStays())
-        return NameBoth("the Box2D of this process was loaded after this library", PathOf(Find(kWorld)));
+        return NameBoth("the Box2D of this process was loaded after this library", PathOf(Find(kStep)));
     return nullptr;
 }
 

@@ -9,17 +9,17 @@ char registers[1024];
 #elif defined(OWN_MEMORY)
 
 // A game takes two of Box2D's functions for its own, and so has one b2Alloc_Default and Box2D's library
-// another.
+// another. What the one made the other cannot free.
 #    include <cstdlib>
 
 #    include <box2d/b2_settings.h>
 
 void *b2Alloc_Default(int32 size) {
-    return std::malloc(static_cast<std::size_t>(size));
+    return static_cast<char *>(std::malloc(static_cast<std::size_t>(size) + 64)) + 64;
 }
 
 void b2Free_Default(void *memory) {
-    std::free(memory);
+    std::free(memory == nullptr ? nullptr : static_cast<char *>(memory) - 64);
 }
 
 #elif defined(UNHEARD_PAIRS)
