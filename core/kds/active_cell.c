@@ -349,22 +349,6 @@ static bool step_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, uns
     return true;
 }
 
-/// Takes the cell on the other side without asking whether it holds x. For an x that is on the failed side up
-/// to rounding: the condition and the walk compute that side from different corners, and may not agree on
-/// which side x is. The condition decides, for it is what the caller goes by; in the new cell the opposite
-/// condition is zero up to rounding, and grows. False, and nothing has changed: there is no such cell.
-static bool force_over(bmr_kds *kds, const bmr_condition *failed, bmr_vec2 x, unsigned *touched) {
-    cell_state *s = state_of(kds);
-    if (s->close || !held_is_cell(&s->held))
-        return false;
-    const bmr_mixed_cell next = across(s, failed, x, touched);
-    if (bmr_mixed_same(&next, &s->held.cell) || !bmr_mixed_exists(&s->held.mixed, &next))
-        return false;
-    s->held.cell = next;
-    s->tile = is_tiled(kds) ? bmr_mixed_tiling_find(s->tiling, &next) : BMR_MIXED_NO_TILE;
-    return true;
-}
-
 /// Finds the cell that holds x by a walk that comes from far outside, against `direction`. False: contact, or
 /// lost.
 static bool find_from_outside(bmr_kds *kds, bmr_vec2 x, bmr_vec2 direction, unsigned *touched) {
@@ -501,27 +485,13 @@ static bool fails_now(const cell_state *s, const bmr_condition *condition, const
     return !(value > 0.0) && !(value >= -no_sign && grows);
 }
 
-/// After force_over: does any condition of the new cell fail at this instant? Where three cells meet within
-/// the way that is looked ahead, x may never come to the one that was taken.
-static bool fails_at_once(const bmr_kds *kds, const bmr_instant *now, const bmr_pose *ahead) {
-    bmr_condition held[BMR_KDS_MAX_CONDITIONS];
-    const size_t count = conditions(kds, held);
-    for (size_t i = 0; i < count; ++i)
-        if (fails_now(constant_state_of(kds), &held[i], now, ahead))
-            return true;
-    return false;
-}
-
-/// Goes to the cell that holds x. Where that is the cell of which a condition just failed, takes the cell on
-/// the other side of the failed side instead.
+/// Goes to the cell that holds x. False: that is the cell of which a condition just failed, or lost.
 static bool leave_cell(bmr_kds *kds, const cell_state *left, const bmr_condition *failed, bmr_vec2 x,
                        unsigned *touched) {
     cell_state *s = state_of(kds);
     if (step_over(kds, failed, x, touched))
         return true;
-    if (s->close || !find_from_cell(kds, x, touched))
-        return false;
-    return !same_cell(left, s) || force_over(kds, failed, x, touched);
+    return !s->close && find_from_cell(kds, x, touched) && !same_cell(left, s);
 }
 
 static bool mend(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
@@ -545,9 +515,7 @@ static bool mend(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_re
     report->level_before = level_of(s);
     const bmr_pose q = held_displaced(&s->held, &ahead);
     set_rotation(kds, &q);
-    const bool left = heals ? force_over(kds, &held[failed], q.position, &report->touched) &&
-                                  !fails_at_once(kds, now, &ahead)
-                            : leave_cell(kds, &before, &held[failed], q.position, &report->touched);
+    const bool left = !heals && leave_cell(kds, &before, &held[failed], q.position, &report->touched);
     if (!left && !find_by_closest(kds, &before, now, q.position, &report->touched))
         return false;
     report->level_after = level_of(s);
