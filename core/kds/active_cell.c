@@ -501,12 +501,8 @@ static bool mend(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_re
     if (!(failed < count))
         failed = 0;
     const bmr_pose ahead = look_ahead(s, now, &held[failed]);
-    // If the condition named is positive a little ahead, another one may have failed at the same time. If
-    // none is negative there, the repair was called too early, or the failure lasts for less than the look
-    // ahead.
-    for (size_t i = 0; i < count && bmr_condition_value(&held[failed], &ahead) > 0.0; ++i)
-        if (!(bmr_condition_value(&held[i], &ahead) > 0.0))
-            failed = i;
+    // If it is positive a little ahead, the repair was called too early, or the failure lasts for less than
+    // the look ahead.
     const bool heals = bmr_condition_value(&held[failed], &ahead) > 0.0;
     if (heals && !fails_now(s, &held[failed], now, &ahead))
         return true;
