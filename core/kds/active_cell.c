@@ -250,38 +250,21 @@ static bool same_line(const cell_state *a, const cell_state *b) {
 
 // --- a little ahead ---
 
-/// Where the rates are unknown, supposes that the pair moves straight on through the condition that failed.
-static void suppose_rates(bmr_instant *now, const bmr_condition *failed) {
-    const bool of_a = failed->owner == 0;
-    if (failed->kind == BMR_CONDITION_TURN)
-        now->spin = of_a ? -1.0 : 1.0;
-    else
-        now->velocity = of_a ? bmr_neg(failed->normal) : bmr_rotate(&now->pose, failed->normal);
-}
-
-static double speed_of(const cell_state *s, const bmr_instant *now) {
-    return hypot(now->velocity.x, now->velocity.y) + fabs(now->spin) * s->held.scale;
-}
-
-/// B's pose a little after `now`. If the failed condition is still positive and falls, that is after it has
-/// come to zero, where this is near enough.
+/// B's pose a little after `now`; that of `now` where the rates are unknown. If the failed condition is still
+/// positive and falls, that is after it has come to zero, where this is near enough.
 static bmr_pose look_ahead(const cell_state *s, const bmr_instant *now, const bmr_condition *failed) {
-    bmr_instant then = *now;
-    if (failed && !(speed_of(s, now) > 0.0))
-        suppose_rates(&then, failed);
-    const double speed = speed_of(s, &then);
+    const double speed = hypot(now->velocity.x, now->velocity.y) + fabs(now->spin) * s->held.scale;
     double time = speed > 0.0 ? AHEAD * s->held.scale / speed : 0.0;
     if (failed && speed > 0.0) {
-        const double value = bmr_condition_value(failed, &now->pose),
-                     rate = bmr_condition_rate(failed, &then);
+        const double value = bmr_condition_value(failed, &now->pose), rate = bmr_condition_rate(failed, now);
         if (value > 0.0 && rate < 0.0)
             time = fmin(fmax(time, 2.0 * value / -rate), HELD_SLACK * s->held.scale / speed);
     }
-    double angle = then.spin * time;
+    double angle = now->spin * time;
     if (angle != 0.0 && fabs(angle) < AHEAD_ANGLE)
         angle = copysign(AHEAD_ANGLE, angle);
     const bmr_pose *q = &now->pose;
-    bmr_pose ahead = {bmr_add(q->position, bmr_scale(time, then.velocity)), q->c - angle * q->s,
+    bmr_pose ahead = {bmr_add(q->position, bmr_scale(time, now->velocity)), q->c - angle * q->s,
                       q->s + angle * q->c}; // the angle's square is far below rounding
     return ahead;
 }

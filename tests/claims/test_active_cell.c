@@ -65,6 +65,8 @@ TEST(a_border_crossed_at_any_angle_is_crossed) {
                     assert_true(test_waits_for(kds, &conditions[i]));
                     ++grown;
                 }
+                if (round % 4 == 0)
+                    now.velocity = bmr_vec2_make(0.0, 0.0); // unknown: straight on
                 bmr_kds_repair(kds, &now, i, &report);
                 assert_int_not_equal(report.kind, BMR_KDS_NONE);
                 assert_true(!report.apart || !test_waits_for(kds, &conditions[i]));
