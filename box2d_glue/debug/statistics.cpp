@@ -86,7 +86,7 @@ namespace {
 
 BMR_THREAD bool inStep = false;
 bool linesAreWanted = false;
-std::atomic<uint64_t> steps{0}, nanoseconds{0}, passes{0}, pairsSeen{0}, touchingPairs{0};
+std::atomic<uint64_t> steps{0}, nanoseconds{0};
 std::atomic<bool> lineIsSaid{false};
 std::atomic<long> steppedIn{0}; ///< the process that took the first step; 0: none did
 uint64_t mostSteps = ~uint64_t{0};
@@ -102,15 +102,11 @@ int64_t Now() {
 
 /// Not of a process that was forked: its parent says what both had.
 void SayLine() {
-    const auto count = static_cast<double>(steps), seen = static_cast<double>(passes);
+    const auto count = static_cast<double>(steps);
     if (count == 0.0 || steppedIn != ThisProcess() || lineIsSaid.exchange(true))
         return;
-    char ofPairs[120] = "";
-    if (seen > 0.0)
-        std::snprintf(ofPairs, sizeof ofPairs, "; %.1f pairs of awake bodies a step, %.1f of them touch",
-                      static_cast<double>(pairsSeen) / seen, static_cast<double>(touchingPairs) / seen);
-    std::fprintf(stderr, "boomerang: %.0f steps, %.2f us each%s\n", count,
-                 1e-3 * static_cast<double>(nanoseconds) / count, ofPairs);
+    std::fprintf(stderr, "boomerang: %.0f steps, %.2f us each\n", count,
+                 1e-3 * static_cast<double>(nanoseconds) / count);
 }
 
 void CallAll() {
@@ -227,14 +223,6 @@ void TimedStep::End() const {
 TimedStep::~TimedStep() {
     if (m_outermost)
         inStep = false;
-}
-
-void NotePairs(uint64_t awake, uint64_t touching) {
-    if (steps.load(std::memory_order_relaxed) >= mostSteps)
-        return;
-    passes.fetch_add(1, std::memory_order_relaxed);
-    pairsSeen.fetch_add(awake, std::memory_order_relaxed);
-    touchingPairs.fetch_add(touching, std::memory_order_relaxed);
 }
 
 } // namespace bmr

@@ -94,7 +94,7 @@ BMR_BOX2D_API void ObserveAnswers(AnswerObserver observer);
 } // namespace internal
 
 // What the library says when the process ends. With BOOMERANG_VERBOSE=1, also in Mode::Off, it is one line
-// on stderr: how many steps the process took, how long each was, and how many pairs it had.
+// on stderr: how many steps the process took, and how long each was.
 //
 // `boomerang try` (plugin/boomerang.sh.in) reads that line. BOOMERANG_STEPS=N, which it sets, ends the count
 // after N steps, and says the line at once.
@@ -103,7 +103,7 @@ namespace internal {
 extern bool timesSteps;
 } // namespace internal
 
-/// Are steps timed, and their pairs counted? A load and a test.
+/// Are steps timed? A load and a test.
 inline bool StepsAreTimed() {
     return BMR_RARELY(internal::timesSteps);
 }
@@ -129,9 +129,6 @@ private:
     int64_t m_begin;
     bool m_outermost;
 };
-
-/// Where StepsAreTimed: the contacts of awake bodies in one pass over contacts, and those that touch.
-void NotePairs(uint64_t awake, uint64_t touching);
 
 /// Calls it when the process ends: by exit, or by SIGINT, SIGTERM or SIGHUP where steps are timed and the
 /// game does not handle that signal itself. At most four functions.

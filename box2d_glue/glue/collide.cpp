@@ -241,14 +241,8 @@ SolidContact *SensorWithEvents(b2Contact *contact) {
 
 namespace {
 
-/// Contacts of a step by Box2D's list.
-struct ListCounts {
-    uint32_t awake = 0;    ///< one of the two bodies is
-    uint32_t touching = 0; ///< of these
-};
-
-/// Brings one contact up to date; false where it is to be destroyed.
-inline bool Persists(b2ContactManager *manager, b2Contact *contact, ListCounts *counts) {
+/// Brings one contact up to date; false where it is to be destroyed. Counts those of awake bodies.
+inline bool Persists(b2ContactManager *manager, b2Contact *contact, uint32_t *awake) {
     b2Fixture *fixtureA = contact->GetFixtureA(), *fixtureB = contact->GetFixtureB();
     if (SolidContact::WantsFiltering(*contact)) {
         if (!PassesFilters(manager, fixtureA, fixtureB))
@@ -262,25 +256,24 @@ inline bool Persists(b2ContactManager *manager, b2Contact *contact, ListCounts *
     b2ContactListener *const listener = manager->m_contactListener;
     const ContactChange change = UpdateContact(contact);
     CallListener(listener, contact, change, [] {}); // which may end it
-    ++counts->awake;
-    counts->touching += change.touches ? 1 : 0;
+    ++*awake;
     return true;
 }
 
 /// b2ContactManager::Collide by Box2D's list, contact by contact, from this one on. As in Box2D, a filter
 /// or a listener that breaks the rules may have destroyed the contact that it was asked about: its memory
-/// says which one is next.
-ListCounts CollideByList(b2ContactManager *manager, b2Contact *contact) {
-    ListCounts counts;
+/// says which one is next. Returns how many contacts are of bodies that are awake.
+uint32_t CollideByList(b2ContactManager *manager, b2Contact *contact) {
+    uint32_t awake = 0;
     while (contact != nullptr) {
         ContactNumber::Prefetch(contact->GetNext());
         b2Contact *const visited = contact;
-        const bool persists = Persists(manager, visited, &counts);
+        const bool persists = Persists(manager, visited, &awake);
         contact = visited->*Named(NextContact());
         if (!persists)
             EndContact(manager, visited);
     }
-    return counts;
+    return awake;
 }
 
 /// A pass over the table, newest pair first.
@@ -492,14 +485,8 @@ void CollidePass::Run() {
         }
     }
     m_table->deferred.EndPass();
-    const uint32_t awake = m_table->AwakeCount();
-    m_table->cost.NotePass(m_updates, fixtures, static_cast<uint32_t>(m_manager->m_contactCount), awake);
-    if (!StepsAreTimed())
-        return;
-    uint32_t touching = 0;
-    for (uint32_t word = 0; word <= m_table->Count() / 64; ++word)
-        touching += CountBits(m_table->AwakeOf(word) & m_table->TouchingOf(word));
-    NotePairs(awake, touching);
+    m_table->cost.NotePass(m_updates, fixtures, static_cast<uint32_t>(m_manager->m_contactCount),
+                           m_table->AwakeCount());
 }
 
 } // namespace
@@ -509,11 +496,9 @@ void Collide(b2ContactManager *manager, PairTable *table) {
         CollidePass(table, manager).Run();
         return;
     }
-    const ListCounts counts = CollideByList(manager, manager->m_contactList);
-    if (StepsAreTimed())
-        NotePairs(counts.awake, counts.touching);
+    const uint32_t awake = CollideByList(manager, manager->m_contactList);
     if (PairTable *const resting = FindPairTable(manager))
-        resting->cost.NoteList(static_cast<uint32_t>(manager->m_contactCount), counts.awake);
+        resting->cost.NoteList(static_cast<uint32_t>(manager->m_contactCount), awake);
 }
 
 } // namespace bmr

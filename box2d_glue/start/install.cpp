@@ -75,12 +75,11 @@ bool Refuse(const char *why) {
 
 void MakeSettings(const Options &options) {
     Settings made;
-    made.made = true;
     made.options = options;
     made.options.statistics =
         options.statistics || options.onEvent != nullptr || AnswersAreObserved() || CountsAreWanted();
     made.pairDef = bmr_default_pair_def();
-    made.everywhere = EverywhereOfEnvironment();
+    made.everywhere = ReadEnvironment("BOOMERANG_EVERYWHERE") == "on";
     made.pairDef.structure =
         made.options.pairsBy == BMR_STRUCTURE_COUNT ? BMR_FREE_DIRECTION : made.options.pairsBy;
     made.pairDef.hysteresis = kHysteresis;
@@ -166,27 +165,31 @@ HoldsProcessLock::HoldsProcessLock() : m_held(processLock) {}
 namespace {
 
 /// Variables, a bit each.
-enum Variable : unsigned { kMode = 1, kStructure = 2, kVerbose = 4, kEverywhere = 8 };
+enum Variable : unsigned { kMode = 1, kStructure = 2, kVerbose = 4 };
 
-/// One line for a value that is not understood, once for a process: the beginning of it. True where it is to
-/// be ended by what is known.
-bool BeginComplaint(Variable variable, const char *name, std::string_view value, Complaints complaints) {
+/// One line for a value that is not understood, once for a process.
+void Complain(Variable variable, const char *name, std::string_view value, const char *known,
+              Complaints complaints = Complaints::Said) {
     static std::atomic<unsigned> complained{0};
-    if (complaints == Complaints::Held || (complained.fetch_or(variable) & variable) != 0)
-        return false;
-    std::fprintf(stderr, "boomerang: %s=%.*s is not understood, so it does nothing; known: ", name,
-                 static_cast<int>(value.size()), value.data());
-    return true;
+    if (!value.empty() && complaints == Complaints::Said && (complained.fetch_or(variable) & variable) == 0)
+        std::fprintf(stderr, "boomerang: %s=%.*s is not understood, so it does nothing; known: %s\n", name,
+                     static_cast<int>(value.size()), value.data(), known);
 }
 
-/// The place of the value among two words, or nothing where it is neither.
-std::optional<bool> ChoiceOfEnvironment(Variable variable, const char *name, const char *no, const char *yes,
-                                        Complaints complaints = Complaints::Said) {
-    const std::string_view value = ReadEnvironment(name);
-    if (value == no || value == yes)
-        return value == yes;
-    if (!value.empty() && BeginComplaint(variable, name, value, complaints))
-        std::fprintf(stderr, "%s, %s\n", no, yes);
+std::optional<bool> VerbosityOfEnvironment(Complaints complaints) {
+    const std::string_view value = ReadEnvironment("BOOMERANG_VERBOSE");
+    if (value == "0" || value == "1")
+        return value == "1";
+    Complain(kVerbose, "BOOMERANG_VERBOSE", value, "0, 1", complaints);
+    return std::nullopt;
+}
+
+std::optional<bmr_structure> StructureOfEnvironment() {
+    const std::string_view value = ReadEnvironment("BOOMERANG_PAIRS_BY");
+    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
+        if (value == bmr_structure_name(static_cast<bmr_structure>(i)))
+            return static_cast<bmr_structure>(i);
+    Complain(kStructure, "BOOMERANG_PAIRS_BY", value, "bmr_structure_name of boomerang/pair.h");
     return std::nullopt;
 }
 
@@ -220,32 +223,12 @@ std::optional<Mode> ModeOfEnvironment(Complaints complaints) {
     for (const Mode mode : {Mode::On, Mode::Off, Mode::Verify})
         if (value == NameOf(mode))
             return mode;
-    if (!value.empty() && BeginComplaint(kMode, "BOOMERANG", value, complaints))
-        std::fprintf(stderr, "on, off, verify\n");
+    Complain(kMode, "BOOMERANG", value, "on, off, verify", complaints);
     return std::nullopt;
-}
-
-std::optional<bmr_structure> StructureOfEnvironment() {
-    const std::string_view value = ReadEnvironment("BOOMERANG_PAIRS_BY");
-    if (value.empty())
-        return std::nullopt;
-    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
-        if (value == bmr_structure_name(static_cast<bmr_structure>(i)))
-            return static_cast<bmr_structure>(i);
-    if (!BeginComplaint(kStructure, "BOOMERANG_PAIRS_BY", value, Complaints::Said))
-        return std::nullopt;
-    for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i)
-        std::fprintf(stderr, "%s%s", i == 0 ? "" : ", ", bmr_structure_name(static_cast<bmr_structure>(i)));
-    std::fprintf(stderr, "\n");
-    return std::nullopt;
-}
-
-bool EverywhereOfEnvironment() {
-    return ChoiceOfEnvironment(kEverywhere, "BOOMERANG_EVERYWHERE", "off", "on").value_or(false);
 }
 
 bool IsVerbose() {
-    return ChoiceOfEnvironment(kVerbose, "BOOMERANG_VERBOSE", "0", "1", Complaints::Held).value_or(false);
+    return VerbosityOfEnvironment(Complaints::Held).value_or(false);
 }
 
 Options WithEnvironment(const Options &options) {
@@ -253,7 +236,7 @@ Options WithEnvironment(const Options &options) {
     made.mode = ModeOfEnvironment().value_or(options.mode);
     if (const auto structure = StructureOfEnvironment())
         made.pairsBy = *structure;
-    if (const auto verbose = ChoiceOfEnvironment(kVerbose, "BOOMERANG_VERBOSE", "0", "1"))
+    if (const auto verbose = VerbosityOfEnvironment(Complaints::Said))
         made.verbosity = *verbose;
     return made;
 }

@@ -18,7 +18,6 @@ namespace bmr {
 /// The decisions of Install, constant from then on. Every member has its initial value at compile time:
 /// Install may run before this file's statics would.
 struct Settings {
-    bool made = false; ///< has Install decided? (Contacts of big ConvexShapes do not wait for it.)
     Options options = {};
     bool everywhere = false; ///< BOOMERANG_EVERYWHERE
     /// Of Options::pairsBy: structure and hysteresis; the margin is each pair's own.
@@ -115,7 +114,7 @@ inline void CountStep() {
 //
 //     BOOMERANG_PAIRS_BY=free-direction|...        Options::pairsBy, by bmr_structure_name
 //     BOOMERANG_COUNTS=FILE                        what was counted, when the process ends
-//     BOOMERANG_EVERYWHERE=on|off                  budgets of motion also where they cost more than they
+//     BOOMERANG_EVERYWHERE=on                      budgets of motion also where they cost more than they
 //     save
 
 /// The value, empty where there is none; it ends with a zero. Empty in programs that run with another user's
@@ -136,11 +135,6 @@ bool IsVerbose();
 
 /// `options`, outweighed by the environment.
 Options WithEnvironment(const Options &options);
-
-/// BOOMERANG_PAIRS_BY, if it is there and understood.
-std::optional<bmr_structure> StructureOfEnvironment();
-/// BOOMERANG_EVERYWHERE.
-bool EverywhereOfEnvironment();
 
 } // namespace bmr
 

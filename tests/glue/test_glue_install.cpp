@@ -111,13 +111,12 @@ bmr::Options Under(const char *name, const char *value, const bmr::Options &opti
 } // namespace
 
 TEST_CASE("every mode and every structure has a name that chooses it") {
-    CHECK(!bmr::StructureOfEnvironment());
+    CHECK(bmr::WithEnvironment(bmr::Options()).pairsBy == BMR_STRUCTURE_COUNT);
     for (const bmr::Mode mode : {bmr::Mode::On, bmr::Mode::Off, bmr::Mode::Verify})
         CHECK(Under("BOOMERANG", bmr::NameOf(mode)).mode == mode);
     for (int i = 0; i < BMR_STRUCTURE_COUNT; ++i) {
         const auto structure = static_cast<bmr_structure>(i);
-        const PairsBy by(structure);
-        CHECK(bmr::StructureOfEnvironment() == structure);
+        CHECK(Under("BOOMERANG_PAIRS_BY", bmr_structure_name(structure)).pairsBy == structure);
     }
 }
 

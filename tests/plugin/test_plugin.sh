@@ -196,14 +196,14 @@ last_line() {
 }
 
 test_the_last_line_says_what_steps_took() {
-    local steps='^boomerang: 240 steps, [0-9]+\.[0-9][0-9] us each' pairs='; [1-9][0-9.]* pairs of awake bodies a step, [1-9][0-9.]* of them touch$'
+    local steps='^boomerang: 240 steps, [0-9]+\.[0-9][0-9] us each$'
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
-    last_line "on" "$steps$pairs"
+    last_line "on" "$steps"
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1 BOOMERANG=off
-    last_line "off" "$steps\$"
+    last_line "off" "$steps"
     quiet "off, verbose"
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1 BOOMERANG_STEPS=100
-    last_line "of the first steps" "^boomerang: 100 steps, .*$pairs"
+    last_line "of the first steps" "${steps/240/100}"
     game plain_game LD_PRELOAD="$plugin"
     [ ! -s "$room/last_line" ] || fail "not asked, and said all the same"
     # A game that is ended from outside says it, too.
@@ -226,7 +226,7 @@ test_values_that_are_not_understood_get_one_line() {
     game no_game LD_PRELOAD="$plugin" BOOMERANG=perhaps
     quiet "no game, BOOMERANG=perhaps"
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_PAIRS_BY=magic
-    one_line "a structure of no name" 'known: .*free-direction'
+    one_line "a structure of no name" 'known: .*boomerang/pair.h'
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=very
     one_line "another verbosity" 'known: 0, 1'
 }

@@ -263,48 +263,34 @@ void EdgeContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b
 
 namespace {
 
-constexpr int8_t kCoarse = BMR_LEVEL_DISKS, kPolygons = 0;
-
-/// The state after an update, and the event; BMR_EVENT_KIND_COUNT if there is none.
-struct Transition {
-    CertificateState next;
-    bmr_event_kind event;
-    int8_t levelBefore, levelAfter;
-};
-
-constexpr Transition Quiet(CertificateState state) {
-    return {state, BMR_EVENT_KIND_COUNT, 0, 0};
+/// The event of an update that leads from one state to the next; BMR_EVENT_KIND_COUNT if there is none.
+bmr_event_kind EventOf(CertificateState before, CertificateState after, ProofResult result) {
+    if (after == CertificateState::Contact)
+        return before == after ? BMR_EVENT_KIND_COUNT : BMR_EVENT_CONTACT;
+    if (before == CertificateState::None)
+        return BMR_EVENT_START;
+    if (before == CertificateState::Contact)
+        return BMR_EVENT_LEAVE;
+    if (before != after)
+        return after == CertificateState::Coarse ? BMR_EVENT_COARSEN : BMR_EVENT_STAB;
+    return result == ProofResult::Another ? BMR_EVENT_PUSH : BMR_EVENT_KIND_COUNT;
 }
-
-/// A row for each state, a column for each result: Nothing, ByDisks, Remembered, Another.
-constexpr Transition kTransitions[4][4] = {
-    {{CertificateState::Contact, BMR_EVENT_CONTACT, kCoarse, kPolygons},
-     {CertificateState::Coarse, BMR_EVENT_START, kCoarse, kCoarse},
-     {CertificateState::Apart, BMR_EVENT_START, kCoarse, kPolygons},
-     {CertificateState::Apart, BMR_EVENT_START, kCoarse, kPolygons}},
-    {{CertificateState::Contact, BMR_EVENT_CONTACT, kCoarse, kPolygons},
-     Quiet(CertificateState::Coarse),
-     {CertificateState::Apart, BMR_EVENT_STAB, kCoarse, kPolygons},
-     {CertificateState::Apart, BMR_EVENT_STAB, kCoarse, kPolygons}},
-    {{CertificateState::Contact, BMR_EVENT_CONTACT, kPolygons, kPolygons},
-     {CertificateState::Coarse, BMR_EVENT_COARSEN, kPolygons, kCoarse},
-     Quiet(CertificateState::Apart),
-     {CertificateState::Apart, BMR_EVENT_PUSH, kPolygons, kPolygons}},
-    {Quiet(CertificateState::Contact),
-     {CertificateState::Coarse, BMR_EVENT_LEAVE, kPolygons, kCoarse},
-     {CertificateState::Apart, BMR_EVENT_LEAVE, kPolygons, kPolygons},
-     {CertificateState::Apart, BMR_EVENT_LEAVE, kPolygons, kPolygons}},
-};
 
 } // namespace
 
 void SolidContact::TakeResult(ProofResult result) {
-    const Transition &transition =
-        kTransitions[static_cast<int>(state.certificate)][static_cast<int>(result)];
-    state.certificate = transition.next;
-    if (transition.event != BMR_EVENT_KIND_COUNT)
+    constexpr int8_t kCoarse = BMR_LEVEL_DISKS, kPolygons = 0;
+    const CertificateState before = state.certificate;
+    state.certificate = result == ProofResult::Nothing   ? CertificateState::Contact
+                        : result == ProofResult::ByDisks ? CertificateState::Coarse
+                                                         : CertificateState::Apart;
+    const bmr_event_kind event = EventOf(before, state.certificate, result);
+    const bool fromPolygons = before == CertificateState::Apart || before == CertificateState::Contact;
+    const bool toCoarse = state.certificate == CertificateState::Coarse;
+    if (event != BMR_EVENT_KIND_COUNT)
         ReportEvent(m_fixtureA->GetBody(), m_fixtureB->GetBody(),
-                    {transition.event, transition.levelBefore, transition.levelAfter, nullptr, nullptr, 0.0});
+                    {event, fromPolygons ? kPolygons : kCoarse, toCoarse ? kCoarse : kPolygons, nullptr,
+                     nullptr, 0.0});
 }
 
 void SolidContact::LeaveByLine() {
