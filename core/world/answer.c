@@ -202,7 +202,6 @@ bmr_error bmr_contact_tell(bmr_world *w, bmr_body_pair *c, bool placed) {
         bmr_body_pair_pass(w, c);
         error = bmr_body_pair_stop(w, c, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_ANSWER);
     } else if (c) {
-        w->counts.responses[response.kind]++;
         w->busy = c; // the answer changes motions; this pair's own turn comes after
         error = answer(w, c, &response, &touch);
         w->busy = NULL;

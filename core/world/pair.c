@@ -289,9 +289,7 @@ static void unlink_pair(bmr_world *w, bmr_body_pair *c) {
 
 static void set_watch(bmr_world *w, bmr_body_pair *c, bmr_watch watch) {
     w->counts.near -= c->watch == BMR_WATCH_STRUCTURE;
-    w->counts.passing -= c->watch == BMR_WATCH_PASSING;
     w->counts.near += watch == BMR_WATCH_STRUCTURE;
-    w->counts.passing += watch == BMR_WATCH_PASSING;
     c->watch = (uint8_t)watch;
 }
 
@@ -337,11 +335,6 @@ static bool is_burst(const bmr_world *w, bmr_near *n, double time) {
     n->burst = time - n->last_repair <= BURST_TOLERANCES * tolerance(w, n, time) ? n->burst + 1 : 0;
     n->last_repair = time;
     return n->burst > BMR_WORLD_BURST;
-}
-
-static void count(bmr_world *w, const bmr_kds_report *report) {
-    w->counts.kds_events[report->kind]++;
-    w->counts.touched += report->touched;
 }
 
 static void observe(bmr_world *w, const bmr_body_pair *c, bmr_world_event_kind kind,
@@ -396,7 +389,6 @@ static bmr_error meet(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches)
     set_watch(w, c, BMR_WATCH_STRUCTURE);
     bmr_kds_report report;
     const bool apart = start(w, c, w->time, &report);
-    count(w, &report);
     if (!apart) {
         *touches = BMR_TOUCHES_PLACED;
         return BMR_OK;
@@ -448,7 +440,6 @@ static bmr_error fail(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches)
     }
     bmr_kds_report report;
     bmr_kds_repair(n->kds, &now, n->failing, &report);
-    count(w, &report);
     n->period = fmax(later - n->repaired, 0.5 * n->period);
     n->from = n->repaired = later;
     n->window = AHEAD * n->period;
@@ -486,7 +477,6 @@ static bmr_error grow(bmr_world *w, bmr_body_pair *c) {
             n->level = before;
             apart = start(w, c, w->time, &report);
         }
-        count(w, &report);
         if (!apart) { // apart, and no proof of it
             bmr_body_pair_pass(w, c);
             return bmr_body_pair_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_PROOF);
@@ -507,7 +497,6 @@ static bmr_error leave(bmr_world *w, bmr_body_pair *c) {
     n->level = 0;
     const double target = w->def.kds.margin + w->def.kds.hysteresis;
     if (separation(w, c, w->time) > target && start(w, c, w->time, &report)) {
-        count(w, &report);
         n->again = n->retries = 0;
         n->growth = INFINITY;
         set_watch(w, c, BMR_WATCH_STRUCTURE);
@@ -574,7 +563,6 @@ bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, bool placed, doub
     for (n->level += c->event != BMR_DUE_TOUCH; n->level <= MOST_HALVINGS * bmr_levels_a_halving(w);
          n->level++) {
         const bool apart = start(w, c, w->time, &report);
-        count(w, &report);
         if (!apart)
             continue;
         const double room = 2.0 * margin_of(w, n->level - 1);

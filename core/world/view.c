@@ -84,7 +84,6 @@ void bmr_world_each_cell(const bmr_world *w, void (*visit)(void *context, const 
 bmr_world_counts bmr_world_get_counts(const bmr_world *w) {
     bmr_world_counts counts = w->counts;
     counts.cells = w->cell_count;
-    counts.queued = w->queue.count;
     int lowest = 0, highest = -1;
     for (int l = BMR_MOST_LEVEL; l >= BMR_LEAST_LEVEL; l--)
         if (w->level_bodies[l - BMR_LEAST_LEVEL] > 0) {

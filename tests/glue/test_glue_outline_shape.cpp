@@ -320,7 +320,7 @@ TEST_CASE("a sliver's faces become its neighbour's") {
     const uint32_t first[] = {0, 3, 6}, none = BMR_OUTLINE_NONE;
     const bmr_outline_edge edges[] = {{0, 0, none, 0}, {1, 1, none, 0}, {2, none, 5, 0},
                                       {2, 2, none, 1}, {3, 3, none, 1}, {0, none, 2, 1}};
-    const bmr_outline_pieces pieces = {points, 4, 2, first, edges, 6, 0, 0};
+    const bmr_outline_pieces pieces = {points, 4, 2, first, edges, 6};
     REQUIRE(bmr_outline_pieces_audit(&pieces) == BMR_OK);
     const bmr_mass mass = {2.0, {1.0 / 3.0, -1.0 / 3.0}, 4.0 / 9.0};
     bmr::OutlineRecord *record = nullptr;
@@ -330,7 +330,7 @@ TEST_CASE("a sliver's faces become its neighbour's") {
     bmr::registry::ReleaseGroup(record);
     // Nothing but slivers.
     const bmr_outline_edge alone[] = {{0, 0, none, 0}, {1, 1, none, 0}, {2, 2, none, 0}};
-    const bmr_outline_pieces thin = {points, 4, 1, first, alone, 3, 0, 0};
+    const bmr_outline_pieces thin = {points, 4, 1, first, alone, 3};
     bmr::OutlineRecord *const before = record;
     CHECK(bmr::MakeOutlineRecord(thin, mass, &record) == BMR_ERROR_TOO_FEW_POINTS);
     CHECK(record == before);
@@ -344,8 +344,8 @@ TEST_CASE("the outline turns at a piece's corner as it does, whichever of its ed
     const bmr_outline_edge edges[] = {{0, 0, none, 0}, {1, 1, none, 0}, {2, none, 5, 0},
                                       {2, 2, none, 1}, {3, 3, none, 1}, {0, none, 2, 1}};
     bmr::OutlineRecord *record = nullptr;
-    REQUIRE(bmr::MakeOutlineRecord({points, 4, 2, first, edges, 6, 0, 0}, {1.0, {0.5, 0.5}, 1.0 / 6.0},
-                                   &record) == BMR_OK);
+    REQUIRE(bmr::MakeOutlineRecord({points, 4, 2, first, edges, 6}, {1.0, {0.5, 0.5}, 1.0 / 6.0}, &record) ==
+            BMR_OK);
     for (uint32_t piece = 0; piece < 2; ++piece) {
         const bmr_convex32 &polygon = bmr::registry::Find(record->pieces[piece]).block.load()->polygon;
         REQUIRE(polygon.seams != nullptr);

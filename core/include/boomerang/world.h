@@ -313,8 +313,6 @@ void bmr_world_each_cell(const bmr_world *world, void (*visit)(void *context, co
 
 typedef struct bmr_world_counts {
     uint64_t events[BMR_WORLD_EVENT_KIND_COUNT];
-    uint64_t kds_events[BMR_KDS_EVENT_KIND_COUNT]; ///< of the structures
-    uint64_t responses[BMR_RESPONSE_KIND_COUNT];
     uint64_t impulses;      ///< of all IMPULSE responses, walls included
     uint64_t softened;      ///< of those, impulses that ZENO_ELASTIC changed
     double softened_energy; ///< energy that these kept and the restitution of the answers would have taken
@@ -324,9 +322,8 @@ typedef struct bmr_world_counts {
     uint64_t replans;       ///< motions set, also at answers and changes of plan
     uint64_t replanned;     ///< certificates (of bodies and pairs) computed anew for them
     uint64_t candidates;    ///< pairs made since the start
-    uint64_t touched;       ///< elementary steps of structures
     // At this moment:
-    size_t bodies, cells, pairs, near, passing, queued;
+    size_t bodies, cells, pairs, near;
     int levels; ///< from the finest grid in use to the coarsest
     /// Of the world and everything in it (without the allocator's own costs); and the most that it ever was.
     size_t bytes, most_bytes;
