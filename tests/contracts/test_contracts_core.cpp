@@ -298,31 +298,6 @@ TEST_CASE("boomerang/pair.h, boomerang/kds.h") {
 
 namespace {
 
-/// What a certificate of a good pose says at this one.
-std::string CheckPair(const bmr_pose &pose) {
-    const bmr_pair_def def = bmr_default_pair_def();
-    const bmr_shape shape = Square().Shape();
-    bmr_pair pair;
-    bmr_pair_init(&pair);
-    const bmr_pose good = {{2.5, 0.5}, 1, 0}; // near enough for a line
-    double gap = 0.0;
-    if (bmr_pair_advance(&pair, &def, &shape, &shape, &good, nullptr, nullptr) != BMR_APART)
-        return "not apart at a good pose";
-    return bmr_pair_check(&pair, &pose, 0.0, &gap) ? "holds" : "no answer";
-}
-
-std::string AdvancePair(const bmr_pose &pose, bmr_structure structure) {
-    bmr_pair_def def = bmr_default_pair_def();
-    def.structure = structure;
-    const bmr_shape shape = Square().Shape();
-    bmr_pair pair;
-    bmr_pair_init(&pair);
-    double gap = 0.0;
-    if (bmr_pair_advance(&pair, &def, &shape, &shape, &pose, nullptr, &gap) != BMR_APART)
-        return "ask an exact test";
-    return gap > 0.0 ? "apart" : "apart without a gap";
-}
-
 std::string StartKds(const bmr_pose &pose, const bmr_kds_info *info) {
     const bmr_kds_def def = bmr_default_kds_def();
     const bmr_shape shape = Square().Shape();
@@ -342,33 +317,28 @@ std::string StartKds(const bmr_pose &pose, const bmr_kds_info *info) {
 } // namespace
 
 TEST_CASE("a pose that is none proves nothing of two squares, which a good one has 3 apart") {
-    const char *const no = "no answer", *const holds = "holds", *const exact = "ask an exact test",
-                      *const apart = "apart", *const contact = "contact";
     const struct {
         const char *name;
         bmr_pose pose;
-        const char *check, *advance, *start;
+        const char *start;
     } rows[] = {
-        {"5 to the right", {{5, 0}, 1, 0}, holds, apart, apart},
-        {"x is NaN", {{kNaN, 0}, 1, 0}, no, exact, contact},
-        {"y is NaN", {{5, kNaN}, 1, 0}, no, exact, contact},
-        {"x is infinite", {{kInfinity, 0}, 1, 0}, no, exact, contact},
-        {"y is minus infinity", {{5, -kInfinity}, 1, 0}, no, exact, contact},
-        {"x is 1e38", {{1e38, 0}, 1, 0}, holds, apart, apart},
-        {"x is 1e308", {{1e308, 0}, 1, 0}, holds, apart, contact},
-        {"x is 5 and y 1e-38", {{5, 1e-38}, 1, 0}, holds, apart, apart},
-        {"the cosine is NaN", {{5, 0}, kNaN, 0}, no, exact, contact},
-        {"the sine is infinite", {{5, 0}, 1, kInfinity}, no, exact, contact},
-        {"the rotation is 0", {{5, 0}, 0, 0}, holds, exact, contact},
-        {"the rotation is 1 % too long", {{5, 0}, 1.01, 0}, holds, exact, contact},
-        {"the rotation is twice too long", {{5, 0}, 2, 0}, holds, exact, contact},
-        {"the rotation is 1e38", {{5, 0}, 1e38, 0}, no, exact, contact},
+        {"5 to the right", {{5, 0}, 1, 0}, "apart"},
+        {"x is NaN", {{kNaN, 0}, 1, 0}, "contact"},
+        {"y is NaN", {{5, kNaN}, 1, 0}, "contact"},
+        {"x is infinite", {{kInfinity, 0}, 1, 0}, "contact"},
+        {"y is minus infinity", {{5, -kInfinity}, 1, 0}, "contact"},
+        {"x is 1e38", {{1e38, 0}, 1, 0}, "apart"},
+        {"x is 1e308", {{1e308, 0}, 1, 0}, "contact"},
+        {"x is 5 and y 1e-38", {{5, 1e-38}, 1, 0}, "apart"},
+        {"the cosine is NaN", {{5, 0}, kNaN, 0}, "contact"},
+        {"the sine is infinite", {{5, 0}, 1, kInfinity}, "contact"},
+        {"the rotation is 0", {{5, 0}, 0, 0}, "contact"},
+        {"the rotation is 1 % too long", {{5, 0}, 1.01, 0}, "contact"},
+        {"the rotation is twice too long", {{5, 0}, 2, 0}, "contact"},
+        {"the rotation is 1e38", {{5, 0}, 1e38, 0}, "contact"},
     };
     for (const auto &row : rows) {
         CAPTURE(std::string(row.name));
-        CHECK(CheckPair(row.pose) == row.check);
-        for (const bmr_structure structure : {BMR_LAZY_COMPASS, BMR_LAZY_DUDLEY, BMR_FREE_DIRECTION})
-            CHECK(AdvancePair(row.pose, structure) == row.advance);
         for (size_t i = 0; i < bmr_kds_count(); ++i) {
             const bmr_kds_info *info = bmr_kds_at(i);
             CAPTURE(std::string(info->name));

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Polygons in float (convex32, swept32); and poses that are none.
+// Polygons in float (convex32).
 #include "contracts.h"
 #include "convex32/convex32.h"
-#include "convex32/convex32_collide.h"
 #include "convex32/convex32_distance.h"
 #include "convex32/convex32_pieces.h"
-#include "exact32/swept32.h"
 
 using namespace contracts;
 
@@ -119,91 +117,4 @@ TEST_CASE("core/convex32") {
             return ImpactOf({{0, 0}, {9, 0}, {-9, 0}, 0, angle, 0}, time, slop);
         },
         "touching");
-}
-
-// --- poses that are none ---
-
-namespace {
-
-const bmr_transform32 kHere = {{0, 0}, 0, 1};
-
-std::string Apart(const bmr_transform32 &there) {
-    const bmr_convex32 *polygon = &Convex()->polygon;
-    bmr_convex32_memory memory = {};
-    return bmr_convex32_apart(polygon, &kHere, polygon, &there, 0.0f, &memory) ? "apart" : "no answer";
-}
-
-int32_t Collide(const bmr_transform32 &there) {
-    const bmr_convex32 *polygon = &Convex()->polygon;
-    bmr_convex32_memory memory = {};
-    bmr_manifold32 manifold = {};
-    bmr_convex32_collide(&manifold, polygon, &kHere, polygon, &there, 0.02f, 0.0005f, &memory);
-    return manifold.count;
-}
-
-std::string Distance(const bmr_transform32 &there) {
-    const bmr_proxy32 proxy = bmr_proxy32_polygon(Convex(), 0.01f);
-    bmr_closest32 closest = {0, 0};
-    return Word(double{bmr_convex32_distance(&proxy, &kHere, &proxy, &there, &closest).distance});
-}
-
-bool Cast(const bmr_transform32 &there) {
-    const bmr_proxy32 proxy = bmr_proxy32_polygon(Convex(), 0.01f);
-    bmr_cast32 cast;
-    return bmr_convex32_cast(&proxy, &kHere, &proxy, &there, {-10.0f, 0.0f}, 0.005f, &cast);
-}
-
-std::string Swept(const bmr_transform32 &there) {
-    const bmr_vec32 points[8] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
-    const bmr_motion32 still = {{0, 0}, {0, 0}, {0, 0}, 0, 1, 0},
-                       moves = {{0, 0}, there.p, there.p, there.s, there.c, 0};
-    bmr_swept32 a, b;
-    bmr_swept32_make(&a, points, 4, &still);
-    bmr_swept32_make(&b, points, 4, &moves);
-    bmr_vec32 direction = {0, 0};
-    return bmr_swept32_find_apart(&a, &b, 0.01f, &direction) ? "apart" : "no answer";
-}
-
-} // namespace
-
-TEST_CASE("a pose that is none proves nothing of two 40-gons, which a good one has 3 apart") {
-    constexpr float kBad = std::numeric_limits<float>::quiet_NaN(),
-                    kFar = std::numeric_limits<float>::infinity();
-    const char *const no = "no answer", *const apart = "apart", *const finite = "finite",
-                      *const infinite = "infinite";
-    const struct {
-        const char *name;
-        bmr_transform32 pose; ///< place, sine, cosine
-        const char *apart;
-        int32_t points;
-        const char *distance;
-        bool hit;
-        const char *impact; ///< motions have angles instead of sines: nullptr
-        const char *swept;
-    } rows[] = {
-        {"5 to the right", {{5, 0}, 0, 1}, apart, 0, finite, true, "touching", apart},
-        {"x is NaN", {{kBad, 0}, 0, 1}, no, 0, "NaN", false, "failed", no},
-        {"y is NaN", {{5, kBad}, 0, 1}, no, 0, "NaN", false, "failed", no},
-        {"x is infinite", {{kFar, 0}, 0, 1}, no, 0, infinite, false, "failed", no},
-        {"y is minus infinity", {{5, -kFar}, 0, 1}, no, 0, infinite, false, "failed", no},
-        {"x is 1e38", {{1e38f, 0}, 0, 1}, no, 0, finite, false, "separated", apart},
-        {"x is 5 and y 1e-38", {{5, 1e-38f}, 0, 1}, apart, 0, finite, true, "touching", apart},
-        {"the cosine is NaN", {{5, 0}, 0, kBad}, no, 0, "NaN", false, nullptr, no},
-        {"the sine is infinite", {{5, 0}, kFar, 1}, no, 0, "NaN", false, nullptr, no},
-        {"the rotation is 0", {{5, 0}, 0, 0}, apart, 2, finite, true, nullptr, apart},
-        {"the rotation is 1 % too long", {{5, 0}, 0, 1.01f}, apart, 0, finite, true, nullptr, apart},
-        {"the rotation is twice too long", {{5, 0}, 0, 2}, apart, 0, finite, true, nullptr, apart},
-        {"the rotation is 1e38", {{5, 0}, 0, 1e38f}, no, 2, finite, false, nullptr, no},
-    };
-    for (const auto &row : rows) {
-        CAPTURE(std::string(row.name));
-        CHECK(Apart(row.pose) == row.apart);
-        CHECK(Collide(row.pose) == row.points);
-        CHECK(Distance(row.pose) == row.distance);
-        CHECK(Cast(row.pose) == row.hit);
-        const bmr_vec32 p = row.pose.p;
-        if (row.impact != nullptr)
-            CHECK(ImpactOf({{0, 0}, {p.x, p.y}, {p.x - 10.0f, p.y}, 0, 0, 0}, 1.0f, 0.005f) == row.impact);
-        CHECK(Swept(row.pose) == row.swept);
-    }
 }
