@@ -63,10 +63,8 @@ answers 2 "needs a stage: release" --only
 answers 2 "needs a number" --seed
 answers 2 "needs a number" --seed 0
 answers 2 "needs a number" --long --seed x1
-answers 2 "always errors" --strict
 BMR_JOBS=0 answers 2 "BMR_JOBS is '0'" --only format
 BMR_JOBS=abc answers 2 "BMR_JOBS is 'abc'" --only format
-answers 2 "long" --brief
 
 # --- The variables that the library reads stand in one table; those of the tests alone stand in no page.
 
