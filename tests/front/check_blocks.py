@@ -3,6 +3,7 @@
 """Does the code of the pages work when it is copied?
 
     check_blocks.py pages ROOT BUILD WORK      snippets and commands, with the programs of the build tree BUILD
+    check_blocks.py example ROOT PROGRAM WORK  one program of the build tree: a page quotes its source, and says what it prints
     check_blocks.py programs ROOT PREFIX WORK  whole programs, typed as they stand into an empty folder, on the installation PREFIX
     check_blocks.py recipes ROOT BOX2D WORK    CMake's recipes, each configured in an empty folder beside Box2D's sources BOX2D
     check_blocks.py recipes ROOT BOX2D WORK build   and built, and run
@@ -11,7 +12,7 @@ How a block is treated its language says, or the line above it:
 
     <!-- from FILE -->         it is a part of that file, which a test compiles and runs
     <!-- file NAME -->         `programs`: the file NAME of the folder, on which the next block of ```sh works
-    <!-- output of NAME -->    it is what the program NAME of the page prints; of other programs: check_quoted.sh
+    <!-- output of NAME -->    it is what the program NAME prints
     ```cpp                     compiled with what the page includes, and run with a body that falls
     ```cmake                   `recipes`
     ```sh                      each command of ours has the options that it is given"""
@@ -89,6 +90,22 @@ class Checker:
 
     def quoted(self, block, name):
         assert any(block.code.strip("\n") in file.read_text() for file in self.files if file.as_posix().endswith(f"/{name}")), f"{name} has it otherwise"
+
+    def example(self, pages, program):
+        wrong, name, found = [], program.stem.removeprefix("example_"), set()
+        for page, text in pages.items():
+            for block in blocks_of(page, text):
+                kind = re.fullmatch(rf"(from|output) (of )?{name}(\.\w+)?", block.mark)
+                if kind:
+                    found.add(kind[1])
+                try:
+                    if kind and kind[1] == "from":
+                        self.quoted(block, block.mark[5:])
+                    elif kind:
+                        assert (said := run([program])) == block.code, f"it prints\n{said}"
+                except AssertionError as error:
+                    wrong.append(f"{block}: {error}")
+        return wrong if len(found) == 2 else [f"no page quotes {name} and what it prints"]
 
     def motions(self, block):
         (self.work / "motions.txt").write_text(block.code)
@@ -208,6 +225,7 @@ BAD = {"recipes": ("```cmake\ncmake_minimum_required(VERSION 3.16)\nproject(game
                    [r"a.md:2: .*Unknown CMake command"]),
        "pages": ("```sh\nboomerang-testbed events --nope\n```\n<!-- from queries.c -->\n```c\nint x;\n```\n```cpp\nbmr::Nothing x;\n```\n```sh\n./tests/run --sometimes\n```\n",
                  [r"a.md:2: .* has no --nope", r"a.md:6: queries.c has it otherwise", r"a.md:12: .* no --sometimes", r"a.md: .*Block0"]),
+       "example": ("<!-- from NAME.c -->\n```c\nint x;\n```\n<!-- output of NAME -->\n```\n2\n```\n", [r"a.md:3: .* has it otherwise", r"a.md:7: it prints"]),
        "programs": ("<!-- file a.c -->\n```c\n#include <stdio.h>\nint main(void) { puts(\"1\"); }\n```\n```sh\ncc a.c -o a\n./a\ncc b.c\n```\n<!-- output of a -->\n```\n2\n```\n",
                     [r"a.md:7: .*b\.c", r"a.md:13: it prints\n1"])}
 
@@ -221,10 +239,12 @@ def main():
         work.mkdir(parents=True)
         if what == "recipes":
             return check_recipes(pages, root, other, work, "build" in sys.argv[5:])
+        if what == "example":
+            return Checker(root, other, work).example(pages, other)
         return check_programs(pages, other, work) if what == "programs" else Checker(root, other, work).check(pages)
 
     text, wanted = BAD[what]
-    found = check({"a.md": text})
+    found = check({"a.md": text.replace("NAME", other.stem.removeprefix("example_"))})
     if len(wanted) != len(found) or not all(re.match(pattern, line, flags=re.S) for pattern, line in zip(wanted, found)):
         sys.exit(f"FAILED: the control: not noticed: {wanted}\nnoticed: " + "\n".join(found))
     wrong = check({str(file.relative_to(root)): file.read_text() for pattern in PAGES for file in sorted(root.glob(pattern))})
