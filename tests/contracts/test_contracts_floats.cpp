@@ -57,7 +57,9 @@ TEST_CASE("core/convex32") {
     for (const auto &[name, create] : creates) {
         Row(name, [create = create](Asked &ask) {
             bmr_convex32_block *made = Untouched<bmr_convex32_block>();
-            const double count = ask.Number("count", 40, Gives(BMR_ERROR_TOO_FEW_POINTS, {0, 2}));
+            const double count = ask.Number("count", 40,
+                                            Gives(BMR_ERROR_TOO_FEW_POINTS, {0, 2}) +
+                                                Gives(BMR_ERROR_TOO_MANY_POINTS, {kSizeMax / 16}));
             const bmr_error error = create(ask.NotNull("points", Convex()->polygon.vertices), Count(count),
                                            ask.Allocator(), ask.Result("result", &made));
             return MadeConvex(ask, error, made);
