@@ -8,7 +8,6 @@
 #include <initializer_list>
 
 #include <box2d/b2_body.h>
-#include <box2d/b2_chain_shape.h>
 #include <box2d/b2_collision.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_edge_shape.h>
@@ -104,21 +103,13 @@ bool MakeByBox2D(const b2Contact &contact, b2Manifold *manifold) {
         CollideConvex({&a, &b, contact.GetChildIndexA()}, Seams::Known, manifold, xfA, xfB, &nothing);
         return true;
     }
-    b2EdgeShape link;
-    switch (a.GetType()) {
-    case b2Shape::e_polygon:
+    if (a.GetType() == b2Shape::e_polygon) {
         b2CollidePolygons(manifold, static_cast<const b2PolygonShape *>(a.GetShape()), xfA, polygon, xfB);
-        return true;
-    case b2Shape::e_chain:
-        static_cast<const b2ChainShape *>(a.GetShape())->GetChildEdge(&link, contact.GetChildIndexA());
+    } else {
+        const b2EdgeShape link = LinkOf(a, contact.GetChildIndexA());
         b2CollideEdgeAndPolygon(manifold, &link, xfA, polygon, xfB);
-        return true;
-    case b2Shape::e_edge:
-        b2CollideEdgeAndPolygon(manifold, static_cast<const b2EdgeShape *>(a.GetShape()), xfA, polygon, xfB);
-        return true;
-    default:
-        return false;
     }
+    return true;
 }
 
 /// The pairs in Box2D's order, from its own query, held against those that were found.

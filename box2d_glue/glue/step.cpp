@@ -38,14 +38,14 @@ private:
     Clock::time_point m_last = m_first;
 };
 
-/// The thread's solver, for one step.
-class TakenSolver {
+/// One step of the thread's: its solver is taken, and RoundsToNearest need not ask.
+class StepOfThread {
 public:
-    TakenSolver() : m_solver(IslandSolver::OfThread()) { m_solver->isTaken = true; }
-    ~TakenSolver() { m_solver->isTaken = false; }
-    TakenSolver(const TakenSolver &) = delete;
-    TakenSolver &operator=(const TakenSolver &) = delete;
-    IslandSolver *Get() const { return m_solver; }
+    StepOfThread() : m_solver(IslandSolver::OfThread()) { m_solver->isTaken = StepIsToNearest() = true; }
+    ~StepOfThread() { m_solver->isTaken = StepIsToNearest() = false; }
+    StepOfThread(const StepOfThread &) = delete;
+    StepOfThread &operator=(const StepOfThread &) = delete;
+    IslandSolver *Solver() const { return m_solver; }
 
 private:
     IslandSolver *m_solver;
@@ -81,15 +81,6 @@ PairTable *TableOfStep(b2World *world, b2ContactManager *manager, float seconds)
     return nullptr;
 }
 
-/// RoundsToNearest need not ask as long as this lives.
-class KnownRounding {
-public:
-    KnownRounding() { StepIsToNearest() = true; }
-    ~KnownRounding() { StepIsToNearest() = false; }
-    KnownRounding(const KnownRounding &) = delete;
-    KnownRounding &operator=(const KnownRounding &) = delete;
-};
-
 } // namespace
 
 bool StepIsOurs(const b2World &world) {
@@ -103,8 +94,7 @@ bool StepIsOurs(const b2World &world) {
 }
 
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations) {
-    const KnownRounding rounding;
-    const TakenSolver solver;
+    const StepOfThread thread;
     Laps laps;
     b2Profile &profile = world->*Named(Profile());
     auto &manager = const_cast<b2ContactManager &>(world->GetContactManager());
@@ -130,11 +120,11 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
     Collide(&manager, table);
     profile.collide = laps.Next();
     if (advances && world->*Named(StepComplete())) {
-        SolveIslands(world, step, solver.Get(), table);
+        SolveIslands(world, step, thread.Solver(), table);
         profile.solve = laps.Next();
     }
     if (advances && world->GetContinuousPhysics()) {
-        SolveImpacts(world, step, solver.Get(), table);
+        SolveImpacts(world, step, thread.Solver(), table);
         profile.solveTOI = laps.Next();
     }
     if (advances)

@@ -19,49 +19,17 @@ namespace {
 /// The name of one loaded object.
 struct Name {
     size_t left;         ///< objects before it
-    uint64_t changes;    ///< objects that have come and gone by then
     char text[PATH_MAX]; ///< empty where it has none that can be opened
 };
 
 int FindName(dl_phdr_info *object, size_t, void *context) {
     auto *name = static_cast<Name *>(context);
-    name->changes = object->dlpi_adds + object->dlpi_subs;
     if (name->left-- > 0)
         return 0;
     const int length = std::snprintf(name->text, sizeof name->text, "%s", object->dlpi_name);
     if (length < 0 || static_cast<size_t>(length) >= sizeof name->text)
         name->text[0] = '\0';
     return 1;
-}
-
-/// In the modules that are in no search order but their own. `*changes` is of the list that was gone through.
-void *FindInModules(const char *mangled, uint64_t *changes) {
-    // Opened only afterwards: the loader must not be asked while it goes through its list. And by one name at
-    // a time, without memory: this may be in the middle of a step, which nothing may throw through.
-    Name name;
-    name.changes = 0;
-    for (size_t i = 0; name.left = i, dl_iterate_phdr(FindName, &name) != 0; ++i) {
-        void *module = name.text[0] == '\0' ? nullptr : dlopen(name.text, RTLD_NOW | RTLD_NOLOAD);
-        if (module == nullptr)
-            continue;
-        void *const found = dlsym(module, mangled);
-        dlclose(module);
-        if (found != nullptr)
-            return found;
-    }
-    *changes = name.changes;
-    return nullptr;
-}
-
-/// Once more where other threads opened or closed modules meanwhile: their places were others.
-void *FindInModules(const char *mangled) {
-    uint64_t before, after = 0;
-    void *found;
-    do {
-        before = after;
-        found = FindInModules(mangled, &after);
-    } while (found == nullptr && after != before);
-    return found;
 }
 
 /// Files that were loaded and closed so far, together.
@@ -73,6 +41,28 @@ uint64_t ChangesOfLoader() {
     };
     dl_iterate_phdr(read, &changes);
     return changes;
+}
+
+/// In the modules that are in no search order but their own. Once more where other threads opened or closed
+/// modules meanwhile: their places were others.
+void *FindInModules(const char *mangled) {
+    // Opened only afterwards: the loader must not be asked while it goes through its list. And by one name at
+    // a time, without memory: this may be in the middle of a step, which nothing may throw through.
+    Name name;
+    uint64_t before;
+    do {
+        before = ChangesOfLoader();
+        for (size_t i = 0; name.left = i, dl_iterate_phdr(FindName, &name) != 0; ++i) {
+            void *module = name.text[0] == '\0' ? nullptr : dlopen(name.text, RTLD_NOW | RTLD_NOLOAD);
+            if (module == nullptr)
+                continue;
+            void *const found = dlsym(module, mangled);
+            dlclose(module);
+            if (found != nullptr)
+                return found;
+        }
+    } while (before != ChangesOfLoader());
+    return nullptr;
 }
 
 } // namespace

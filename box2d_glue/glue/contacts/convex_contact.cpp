@@ -33,12 +33,18 @@ bmr_convex32 PolygonWith(Seams seams, const b2Fixture &fixture) {
 
 } // namespace
 
-bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child) {
-    if (fixture->GetType() == b2Shape::e_edge)
-        return Edge32(*static_cast<const b2EdgeShape *>(fixture->GetShape()));
+b2EdgeShape LinkOf(const b2Fixture &fixture, int32 child) {
+    if (fixture.GetType() == b2Shape::e_edge)
+        return *static_cast<const b2EdgeShape *>(fixture.GetShape());
     b2EdgeShape link;
-    static_cast<const b2ChainShape *>(fixture->GetShape())->GetChildEdge(&link, child);
-    return Edge32(link);
+    static_cast<const b2ChainShape *>(fixture.GetShape())->GetChildEdge(&link, child);
+    return link;
+}
+
+bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child) {
+    return fixture->GetType() == b2Shape::e_edge
+               ? Edge32(*static_cast<const b2EdgeShape *>(fixture->GetShape()))
+               : Edge32(LinkOf(*fixture, child));
 }
 
 float TwoFixtures::RadiusSum() const {

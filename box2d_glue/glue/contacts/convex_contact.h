@@ -55,7 +55,8 @@ struct TwoFixtures {
     float RadiusSum() const;
 };
 
-/// Of an edge, or of a link of a chain.
+/// An edge, or a link of a chain; and the same for core.
+b2EdgeShape LinkOf(const b2Fixture &fixture, int32 child);
 bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child);
 
 enum class Seams { Known, Ignored };

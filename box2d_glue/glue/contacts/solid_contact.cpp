@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "glue/contacts/solid_contact.h"
 
-#include <box2d/b2_chain_shape.h>
 #include <box2d/b2_collision.h>
 #include <box2d/b2_edge_shape.h>
 #include <box2d/b2_polygon_shape.h>
@@ -230,33 +229,18 @@ bool EdgeContact::Serves(const b2Shape & /*a*/, const b2Shape &b) {
     return BigPolygonOf(b) == nullptr;
 }
 
-/// False where Box2D must do it.
-inline bool EdgeContact::EvaluateHere(b2Manifold *manifold, const b2Transform &xfA,
-                                      const b2Transform &xfB) const {
-    const b2PolygonShape &polygon = PolygonShapeOf(m_fixtureB);
-    if (polygon.m_count < 3 || polygon.m_count > b2_maxPolygonVertices || !RoundsToNearest())
-        return false;
-    const bmr_edge32 edge = EdgeOf(m_fixtureA, m_indexA);
-    const bmr_polygon32 other = Polygon32(polygon);
-    return bmr_exact32_collide_edge(Manifold32(manifold), &edge, Transform32(xfA), &other,
-                                    *Vectors32(&polygon.m_centroid), Transform32(xfB),
-                                    polygon.m_radius + m_fixtureA->GetShape()->m_radius);
-}
-
-void EdgeContact::EvaluateByBox2D(b2Manifold *manifold, const b2Transform &xfA,
-                                  const b2Transform &xfB) const {
-    const b2Shape *const shape = m_fixtureA->GetShape();
-    b2EdgeShape link;
-    if (shape->m_type == b2Shape::e_chain)
-        static_cast<const b2ChainShape *>(shape)->GetChildEdge(&link, m_indexA);
-    b2CollideEdgeAndPolygon(
-        manifold, shape->m_type == b2Shape::e_chain ? &link : static_cast<const b2EdgeShape *>(shape), xfA,
-        &PolygonShapeOf(m_fixtureB), xfB);
-}
-
 void EdgeContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
-    if (!EvaluateHere(manifold, xfA, xfB))
-        EvaluateByBox2D(manifold, xfA, xfB);
+    const b2PolygonShape &polygon = PolygonShapeOf(m_fixtureB);
+    if (HasCornersOfBox2D(polygon) && RoundsToNearest()) {
+        const bmr_edge32 edge = EdgeOf(m_fixtureA, m_indexA);
+        const bmr_polygon32 other = Polygon32(polygon);
+        if (bmr_exact32_collide_edge(Manifold32(manifold), &edge, Transform32(xfA), &other,
+                                     *Vectors32(&polygon.m_centroid), Transform32(xfB),
+                                     polygon.m_radius + m_fixtureA->GetShape()->m_radius))
+            return;
+    }
+    const b2EdgeShape link = LinkOf(*m_fixtureA, m_indexA);
+    b2CollideEdgeAndPolygon(manifold, &link, xfA, &polygon, xfB);
 }
 
 // The events of a contact.

@@ -228,9 +228,6 @@ private:
     friend class ContactClass<EdgeContact>;
     EdgeContact() = default;
     using b2Contact::b2Contact;
-
-    bool EvaluateHere(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) const;
-    void EvaluateByBox2D(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) const;
 };
 
 /// What an update changed, for CallListener.
