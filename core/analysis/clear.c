@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "analysis/course.h"
+#include "geometry/length.h"
 
 /// Steps are this part of a clear disk's radius.
 #define STEP_PART 0.05

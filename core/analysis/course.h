@@ -13,8 +13,6 @@ double bmr_course_piece_end(const bmr_course *course, double time);
 double bmr_course_speed(const bmr_course *course, double from, double to, double weight);
 /// The distance of the two polygons at a relative pose, 0 where they overlap.
 double bmr_pose_distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a);
-/// The angle by which q is turned against p, in [-pi, pi].
-double bmr_pose_turn(const bmr_pose *p, const bmr_pose *q);
 bool bmr_course_is_valid(const bmr_course *course);
 
 #endif

@@ -7,6 +7,7 @@
 
 #include "analysis/family_paths.h"
 #include "geometry/memory.h"
+#include "kinetic/roots.h"
 
 #include <gsl/gsl_randist.h>
 
@@ -79,19 +80,13 @@ double bmr_polygon_diameter(const bmr_polygon *polygon) {
     return most;
 }
 
-static double evaluate(const double *c, size_t degree, double t) {
-    double value = c[degree];
-    for (size_t k = degree; k-- > 0;)
-        value = value * t + c[k];
-    return value;
-}
-
 /// The least distance of a polynomial path from the middle over its largest.
 static double clearance(const bmr_family_plan *plan) {
     double least = INFINITY, most = 0.0;
     for (int i = 0; i < PATH_SAMPLES; i++) {
         const double t = 2.0 * i / (PATH_SAMPLES - 1) - 1.0;
-        const double r = hypot(evaluate(plan->x, plan->degree, t), evaluate(plan->y, plan->degree, t));
+        const double r = hypot(bmr_polynomial_value(plan->x, plan->degree, t),
+                               bmr_polynomial_value(plan->y, plan->degree, t));
         least = fmin(least, r);
         most = fmax(most, r);
     }

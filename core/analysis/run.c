@@ -5,6 +5,7 @@
 
 #include "analysis/course.h"
 #include "geometry/distance.h"
+#include "geometry/length.h"
 
 // ---- a course: its poses, and how fast it is ----
 
@@ -43,10 +44,6 @@ double bmr_pose_distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_p
     bmr_simplex simplex = bmr_simplex_make(0, 0);
     bmr_closest closest;
     return bmr_closest_direction(a, b, b_in_a, 0.0, 0.0, &simplex, &closest) ? closest.separation : 0.0;
-}
-
-double bmr_pose_turn(const bmr_pose *p, const bmr_pose *q) {
-    return atan2(p->c * q->s - p->s * q->c, p->c * q->c + p->s * q->s);
 }
 
 /// A displacement (in units of the distance) or rotation below this is none.

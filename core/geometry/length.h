@@ -5,13 +5,18 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "boomerang/vector.h"
+#include "boomerang/pose.h"
 
 /// The length of a vector, good to a rounding, also where its square is no double. (hypot takes care of that
 /// always, in some fifty instructions; and sqrt is the same on every machine.)
 static inline double bmr_length(bmr_vec2 v) {
     const double square = v.x * v.x + v.y * v.y;
     return square > 0x1p-960 && square < 0x1p1020 ? sqrt(square) : hypot(v.x, v.y);
+}
+
+/// The angle by which q is turned against p, in [-pi, pi].
+static inline double bmr_pose_turn(const bmr_pose *p, const bmr_pose *q) {
+    return atan2(p->c * q->s - p->s * q->c, p->c * q->c + p->s * q->s);
 }
 
 /// Components of a vector below this are too small for products: these may lose bits to underflow, and the

@@ -123,10 +123,6 @@ static bmr_pose straight_on(const bmr_instant *from, double time) {
     return pose;
 }
 
-static double angle_between(const bmr_pose *from, const bmr_pose *to) {
-    return atan2(from->c * to->s - from->s * to->c, from->c * to->c + from->s * to->s);
-}
-
 /// Takes note of how far each model was off since the last choice.
 static void learn(predict_state *s, const bmr_kds *kds, const bmr_instant *now) {
     for (int model = 0; model < MODEL_COUNT; ++model) {
@@ -134,13 +130,13 @@ static void learn(predict_state *s, const bmr_kds *kds, const bmr_instant *now) 
         const double arm = arm_of(kds, (predict_model)model);
         const double speed = bmr_length(old.velocity) + arm * fabs(old.spin);
         const double way = bmr_length(bmr_sub(here.pose.position, old.pose.position)) +
-                           arm * fabs(angle_between(&old.pose, &here.pose));
+                           arm * fabs(bmr_pose_turn(&old.pose, &here.pose));
         if (!(way > 0.0) || !(speed > 0.0))
             continue;
         // The time since then is not known: the model is asked for the pose after a path of the same length.
         const bmr_pose q = straight_on(&old, way / speed);
         const double off =
-            bmr_length(bmr_sub(q.position, here.pose.position)) + arm * fabs(angle_between(&q, &here.pose));
+            bmr_length(bmr_sub(q.position, here.pose.position)) + arm * fabs(bmr_pose_turn(&q, &here.pose));
         s->wrong[model] = DOUBT_DECAY * s->wrong[model] + (1.0 - DOUBT_DECAY) * fmin(off / way, DOUBT_MOST);
     }
 }

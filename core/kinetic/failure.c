@@ -297,13 +297,6 @@ bmr_failure_options bmr_default_failure_options(void) {
     return options;
 }
 
-static double horner(const bmr_condition_polynomial *p, double u) {
-    double value = p->c[p->degree];
-    for (size_t k = p->degree; k-- > 0;)
-        value = value * u + p->c[k];
-    return value;
-}
-
 typedef enum beginning { POSITIVE, GROWING, FAILING, BELOW, FLAT } beginning;
 
 /// What the polynomial does right after 0. GROWING: its first `*zeros` coefficients are zero up to rounding,
@@ -369,7 +362,8 @@ static bmr_error algebraic_failure(const bmr_condition *condition, const bmr_mot
         const beginning start = begin(&p, &zeros);
         if (start == BELOW && fresh) {
             const double grace = bmr_start_grace(from, tolerance);
-            if (from + grace < to && horner(&p, fmin(1.0, grace / p.width)) > -BMR_START_NOISES * p.noise) {
+            if (from + grace < to && bmr_polynomial_value(p.c, p.degree, fmin(1.0, grace / p.width)) >
+                                         -BMR_START_NOISES * p.noise) {
                 const bmr_error error =
                     algebraic_failure(condition, owner, other, from + grace, to, false, tolerance, time);
                 // Still failing where it was to be positive: it never grew.

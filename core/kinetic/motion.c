@@ -295,8 +295,8 @@ bmr_error bmr_motion_create(const bmr_motion_piece *piece, const bmr_allocator *
 static bmr_motion_piece between(double from, const bmr_pose *a, double to, const bmr_pose *b) {
     const double duration = to - from;
     const bmr_vec2 way = bmr_sub(b->position, a->position);
-    const double turn = atan2(a->c * b->s - a->s * b->c, a->c * b->c + a->s * b->s);
-    return bmr_piece_screw(from, *a, bmr_vec2_make(way.x / duration, way.y / duration), turn / duration);
+    return bmr_piece_screw(from, *a, bmr_vec2_make(way.x / duration, way.y / duration),
+                           bmr_pose_turn(a, b) / duration);
 }
 
 static bmr_error check_samples(const double *times, const bmr_pose *poses, size_t count) {

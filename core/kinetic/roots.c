@@ -93,9 +93,8 @@ static void value_and_slope(double x, void *context, double *value, double *slop
 }
 
 static double value_at(double x, void *context) {
-    double value, slope;
-    value_and_slope(x, context, &value, &slope);
-    return value;
+    const polynomial *p = context;
+    return bmr_polynomial_value(p->c, p->degree, x);
 }
 
 static double slope_at(double x, void *context) {

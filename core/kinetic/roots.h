@@ -15,6 +15,14 @@ extern "C" {
 /// algebraic motions of the highest degrees (boomerang/motion.h), 2 * 8 + 2 * 8 + 2 * 8.
 #define BMR_POLYNOMIAL_MAX_DEGREE 48
 
+/// c[0] + c[1] x + .. + c[degree] x^degree.
+static inline double bmr_polynomial_value(const double *c, size_t degree, double x) {
+    double value = c[degree];
+    for (size_t k = degree; k-- > 0;)
+        value = value * x + c[k];
+    return value;
+}
+
 /// Where in [0, 1] does a polynomial, positive at 0, first stop being positive? Subdivision in the Bernstein
 /// basis: a part whose coefficients are all positive has no root; one whose coefficients change sign once has
 /// exactly one, which GSL's Newton ends. Returns false if there is none, else *low, at which the
