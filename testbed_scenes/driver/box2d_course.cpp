@@ -83,7 +83,7 @@ Box2DCalls RunInBox2D(const Course &course, const Workers &workers) {
         throw std::runtime_error("Box2D has no body that is a point");
     if (!workers.CanCount())
         throw WorkerError("the counting library is missing: build boomerang-count");
-    const double scale = course.Separation() > 0.0 ? std::max(1.0, kLeastGap / course.Separation()) : 1.0;
+    const double scale = std::max(1.0, kLeastGap / course.Separation());
     // A file without a place, which the workers have open, too.
     const int file = memfd_create("course", 0);
     WorkerRequest request;

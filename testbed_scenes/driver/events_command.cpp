@@ -31,7 +31,7 @@ struct EventsCommand {
     unsigned seeds = 3;
     std::string csv;
     bool noOptimum = false, quiet = false, list = false, box2d = false;
-    Experiment experiment; ///< --n, --audit and files write here; the fields above give the rest
+    Experiment experiment; ///< --n and --audit write here; the fields above give the rest
 };
 
 // --- what is asked for ---
@@ -145,17 +145,6 @@ void ListStructures() {
     print("\nshapes", ShapeNames(), " ");
     std::cout << " point (B only)\n";
 }
-
-constexpr char kFiles[] =
-    "A motion file has one statement a line; # begins a comment, angles are in radians:\n"
-    "  time FROM UNTIL                     the times to follow (default: 0 1)\n"
-    "  body A|B                            whose motion the next lines tell; a body without any rests\n"
-    "  rest T X Y ANGLE                    from time T on it stands still\n"
-    "  screw T X Y ANGLE VX VY SPIN        from T on a straight line and a constant spin\n"
-    "  algebraic T ANGLE x X0 X1.. y Y0 Y1.. [a A0.. b B0..]\n"
-    "                                      from T on, u = t - T: (sum Xk u^k, sum Yk u^k), turned by ANGLE\n"
-    "                                      and by 2 atan2(sum Bk u^k, sum Ak u^k)\n"
-    "  sample T X Y ANGLE                  screws from sample to sample";
 
 /// "active-cell-compass" stands as "compass" under "active-cell".
 std::pair<std::string, std::string> Heading(const std::string &name) {
@@ -324,22 +313,16 @@ private:
     std::vector<Row> m_rows;
 };
 
-/// "D/sigma = 8", or "in contact on the way".
-std::string SeparationOf(const Run &run) {
-    return std::isfinite(run.ratio) ? "D/sigma = " + General(run.ratio, 6) : "in contact on the way";
-}
-
 void PrintTables(const EventsCommand &command, const Experiment &experiment, const std::vector<Run> &runs,
                  const Box2DTable &box2d) {
-    const bool colour = WantsColour(STDOUT_FILENO), own = !experiment.motionFile.empty();
-    const size_t motions = own ? 1 : experiment.seeds.size();
-    const size_t ratioIndex = own ? 0 : experiment.ratios.size() - 1;
+    const bool colour = WantsColour(STDOUT_FILENO);
+    const size_t motions = experiment.seeds.size(), ratioIndex = experiment.ratios.size() - 1;
     if (command.box2d)
         box2d.PrintQuestions(runs, ratioIndex);
     std::cout << "Mean number of events, " << motions << (motions == 1 ? " motion" : " motions of each kind")
-              << ", n = " << runs.front().n << ", " << SeparationOf(runs.back()) << "\n\n";
+              << ", n = " << runs.front().n << ", D/sigma = " << General(runs.back().ratio, 6) << "\n\n";
     PrintCounts(runs, ratioIndex, experiment.optimum, colour);
-    if (!own && experiment.ratios.size() >= 3) {
+    if (experiment.ratios.size() >= 3) {
         std::cout
             << "Growth of events with D/sigma = " << experiment.ratios.front() << " .. "
             << experiment.ratios.back()
@@ -364,8 +347,7 @@ int CountEvents(const EventsCommand &command, const std::string &workersDirector
         workers.emplace(workersDirectory);
         experiment.onCourse = [&](const Course &course, const std::string &motion, size_t ratioIndex,
                                   uint64_t) {
-            if (ratioIndex + 1 == std::max<size_t>(experiment.ratios.size(), 1) ||
-                !experiment.motionFile.empty())
+            if (ratioIndex + 1 == experiment.ratios.size())
                 box2d.Add(motion, RunInBox2D(course, *workers));
         };
     }
@@ -394,8 +376,6 @@ int Execute(const EventsCommand &command, const std::string &workersDirectory) {
         ListStructures();
         return kExitOk;
     }
-    if (command.experiment.polygonFiles.size() > 2)
-        throw UsageError("--polygon: A's and B's, and no third");
     return CountEvents(command, workersDirectory);
 }
 
@@ -423,13 +403,6 @@ void AddEvents(CLI::App &app, Program &program) {
     events->add_option("--seeds", command.seeds, "How many motions of each kind")
         ->check(Whole(1, 100000))
         ->capture_default_str();
-    CLI::Option *polygon = events->add_option("--polygon", command.experiment.polygonFiles,
-                                              "A polygon of one's own, \"x y\" a line; twice: A's and B's");
-    polygon->check(CLI::ExistingFile)->allow_extra_args(false);
-    events
-        ->add_option("--motion", command.experiment.motionFile,
-                     "A motion of one's own, in the statements below")
-        ->check(CLI::ExistingFile);
     events->add_option("--csv", command.csv, "Write every run into this file, one row a run");
     events->add_flag("--box2d", command.box2d,
                      "Lead two Box2D bodies along the same courses and count what Box2D asks");
@@ -437,7 +410,6 @@ void AddEvents(CLI::App &app, Program &program) {
     events->add_flag("--no-optimum", command.noOptimum, "Leave the offline optimum out");
     events->add_flag("--quiet", command.quiet, "No tables");
     events->add_flag("--list", command.list, "Show structures, motions and shapes, and run nothing");
-    events->footer(kFiles);
     events->callback([kept, &program] { program.status = Execute(*kept, program.directory); });
 }
 

@@ -49,13 +49,11 @@ void CheckBodies(const PictureOptions &options, const shown::Frame &frame) {
 
 Layers LayersOf(const PictureRequest &request, PictureSource source) {
     const Layers &named = request.named;
-    const bool many = source != PictureSource::Pair, trails = source != PictureSource::Scene;
+    const bool trails = source == PictureSource::World;
     if (request.all)
-        return {true, true, true, true, true, many, true, many, trails};
-    if (!many && (named.hulls || named.boxes))
-        throw UsageError("--hulls and --aabbs: two polygons of one's own have none");
+        return {true, true, true, true, true, true, true, true, trails};
     if (!trails && named.trails)
-        throw UsageError("--trails: of a kinetic world or of two polygons of one's own alone");
+        throw UsageError("--trails: of a kinetic world alone");
     const bool any = named.certificates || named.slack || named.handedOver || named.contacts ||
                      named.events || named.hulls || named.envelopes || named.boxes || named.trails;
     return any || request.bare ? named : Layers();
@@ -111,7 +109,7 @@ void AddPictureOptions(CLI::App &app, PictureRequest &request, CLI::Option *outp
     layer("--hulls", named.hulls, "hulls of bodies; of a kinetic world, their disks");
     layer("--envelopes", named.envelopes, "envelopes at the level of the proof");
     layer("--aabbs", named.boxes, "boxes of the broad phase; of a kinetic world, the cells of its bodies");
-    layer("--trails", named.trails, "where bodies were before (of a kinetic world, or two polygons)");
+    layer("--trails", named.trails, "where bodies were before (of a kinetic world)");
     CLI::Option *all = add(app.add_flag("--all", request.all, "Every layer"));
     add(app.add_flag("--bare", request.bare, "No layer: the bodies alone")->excludes(all));
     for (CLI::Option *option : options)
@@ -119,8 +117,7 @@ void AddPictureOptions(CLI::App &app, PictureRequest &request, CLI::Option *outp
             option->needs(output);
 }
 
-PictureSeries::PictureSeries(const PictureRequest &request, PictureSource source)
-    : m_request(request), m_showsWay(source == PictureSource::Pair && request.focus.empty()) {
+PictureSeries::PictureSeries(const PictureRequest &request, PictureSource source) : m_request(request) {
     if (!request.step && request.frames.empty())
         throw UsageError("which step? --step N, or --frames FIRST:LAST:EVERY for a series");
     ReadFocus();
@@ -181,15 +178,12 @@ void PictureSeries::Add(const shown::Frame &frame) {
     if (frame.step < m_first || frame.step > m_last || (frame.step - m_first) % m_every != 0)
         return;
     CheckBodies(m_options, frame);
-    // A series holds still (of two polygons it shows all of their way), or follows its bodies with a frame of
-    // one size.
+    // A series holds still, or follows its bodies with a frame of one size.
     const std::optional<Rectangle> box = PeriodicBoxOf(frame);
     const bool whole = box && m_options.bodies.empty() && !m_options.region;
     const Rectangle region = whole ? Widened(*box, kAroundBox) : RegionOf(frame, m_options);
     if (!m_shape)
         m_shape = region;
-    else if (m_showsWay)
-        Grow(&*m_shape, region);
     PictureOptions these = m_options;
     const double x =
         m_options.bodies.empty() ? m_shape->left : 0.5 * (region.left + region.right - m_shape->Width());
@@ -219,8 +213,6 @@ void PictureSeries::Draw() {
     for (size_t i = 0; i < m_pictures.size(); ++i) {
         if (IsNumbered())
             m_pictures[i].options.series = m_contents;
-        if (m_showsWay)
-            m_pictures[i].options.region = m_shape;
         DrawPicture(m_pictures[i].frame, m_pictures[i].options, PathOf(i));
     }
 }

@@ -13,7 +13,7 @@
 
 namespace testbed {
 
-/// Which steps a command draws, and how: `render` of a scene or of two polygons, `world` of a kinetic world.
+/// Which steps a command draws, and how: `render` of a scene, `world` of a kinetic world.
 struct PictureRequest {
     std::string output;
     std::optional<int64_t> step;
@@ -25,9 +25,9 @@ struct PictureRequest {
     bool all = false, bare = false;
 };
 
-/// Where frames come from. Of a scene only those of the pictures come; of the others all do, so that trails
-/// can be drawn.
-enum class PictureSource { Scene, World, Pair };
+/// Where frames come from. Of a scene only those of the pictures come; of a kinetic world all do, so that
+/// trails can be drawn.
+enum class PictureSource { Scene, World };
 
 /// The options of a request but for the output. Those of them that make no sense without it need `output`,
 /// where that is not required (else nullptr).
@@ -68,7 +68,6 @@ private:
     std::string PathOf(size_t index) const;
 
     const PictureRequest &m_request;
-    const bool m_showsWay;
     PictureOptions m_options;
     int64_t m_first = 0, m_last = 0, m_every = 1;
     std::optional<Rectangle> m_shape; ///< of the series

@@ -9,7 +9,7 @@
 
 /// @file
 /// A world after a step, as what draws it needs it. A worker prints it for `--frames` (PrintFrame), a kinetic
-/// world and two polygons on their course fill it in memory. This header needs neither Box2D nor the plugin.
+/// world fills it in memory. This header needs neither Box2D nor the plugin.
 ///
 /// Lengths are metres, impulses newton seconds. "Body coordinates" are those of a body's own frame: the
 /// world's are pose * point. Bodies and a body's fixtures have the numbers that their stage gave them, in

@@ -52,19 +52,11 @@ std::vector<bmr_vec2> Body::Vertices() const {
 
 namespace {
 
-/// The separation of a motion from a file is measured to this part of the diameter.
+/// The separation of a motion of no family is measured to this part of the diameter.
 constexpr double kSeparationTolerance = 1e-6;
 
-struct Watch {
-    const EventObserver *observer;
-    uint64_t outside = 0;
-};
-
 void OnEvent(void *context, const bmr_simulation_event *event) {
-    Watch &watch = *static_cast<Watch *>(context);
-    watch.outside += event->report.level_before < 0 && event->report.level_after < 0;
-    if (*watch.observer)
-        (*watch.observer)(*event);
+    (*static_cast<EventObserver *>(context))(*event);
 }
 
 } // namespace
@@ -76,13 +68,13 @@ Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, con
     Require(bmr_family_create(&family, m_bodies[0]->Polygon(), m_bodies[1]->Polygon(), nullptr, &made),
             std::string("the motion ") + bmr_family_name(family.family));
     for (int i = 0; i < 2; ++i)
-        m_file.motions[i].reset(made.motions[i]);
+        m_motions.motions[i].reset(made.motions[i]);
     m_diameter = made.diameter;
     m_separation = made.separation;
 }
 
-Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, MotionFile file)
-    : m_bodies{std::move(a), std::move(b)}, m_file(std::move(file)),
+Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, TwoMotions motions)
+    : m_bodies{std::move(a), std::move(b)}, m_motions(std::move(motions)),
       m_diameter(std::max(bmr_polygon_diameter(m_bodies[0]->Polygon()),
                           bmr_polygon_diameter(m_bodies[1]->Polygon()))) {
     double time = 0.0;
@@ -93,7 +85,7 @@ Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, Mot
 
 bmr_course Course::AsCourse() const {
     return {{m_bodies[0]->Polygon(), m_bodies[1]->Polygon()},
-            {m_file.motions[0].get(), m_file.motions[1].get()},
+            {m_motions.motions[0].get(), m_motions.motions[1].get()},
             From(),
             Until()};
 }
@@ -101,8 +93,7 @@ bmr_course Course::AsCourse() const {
 bmr_kds_def DefFor(const Course &course) {
     bmr_kds_def def = bmr_default_kds_def();
     constexpr double kPartOfSeparation = 1e-3;
-    if (course.Separation() > 0.0)
-        def.margin = std::min(def.margin, kPartOfSeparation * course.Separation());
+    def.margin = std::min(def.margin, kPartOfSeparation * course.Separation());
     return def;
 }
 
@@ -118,9 +109,8 @@ bool Takes(const bmr_kds_info &structure, const Course &course) {
     return true;
 }
 
-Outcome Follow(const Course &course, const bmr_kds_info &structure, const bmr_kds_def &def, bool audit,
-               const EventObserver &observer) {
-    Watch watch = {&observer};
+bmr_run Follow(const Course &course, const bmr_kds_info &structure, const bmr_kds_def &def, bool audit,
+               EventObserver observer) {
     bmr_run_def run = {};
     run.structure = &structure;
     run.shapes[0] = course.BodyOf(0).Shape();
@@ -128,15 +118,14 @@ Outcome Follow(const Course &course, const bmr_kds_info &structure, const bmr_kd
     run.simulation = bmr_default_simulation_def();
     run.simulation.kds = def;
     run.audit = audit;
-    run.observer = OnEvent;
-    run.context = &watch;
+    run.observer = observer ? OnEvent : nullptr;
+    run.context = &observer;
     const bmr_course followed = course.AsCourse();
-    Outcome outcome;
-    Require(bmr_run_course(&run, &followed, course.Diameter(), nullptr, &outcome.run), structure.name);
-    if (outcome.run.audit != BMR_OK)
+    bmr_run outcome = {};
+    Require(bmr_run_course(&run, &followed, course.Diameter(), nullptr, &outcome), structure.name);
+    if (outcome.audit != BMR_OK)
         throw std::runtime_error(std::string(structure.name) + ": an audit found that " +
-                                 bmr_error_describe(outcome.run.audit));
-    outcome.outsideEvents = watch.outside;
+                                 bmr_error_describe(outcome.audit));
     return outcome;
 }
 

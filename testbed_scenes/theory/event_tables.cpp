@@ -20,9 +20,6 @@ std::vector<bmr_vec2> OutlinePoints(bmr_ngon outline, size_t n, uint64_t seed) {
 std::shared_ptr<const Body> MakeBody(const Experiment &experiment, int index, uint64_t seed) {
     if (index == 1 && experiment.point)
         return std::make_shared<Body>(std::vector<bmr_vec2>{{0.0, 0.0}});
-    const std::vector<std::string> &files = experiment.polygonFiles;
-    if (!files.empty())
-        return std::make_shared<Body>(ReadPolygonFile(index == 0 ? files.front() : files.back()));
     return std::make_shared<Body>(
         OutlinePoints(experiment.outlines[index], experiment.n, 2 * seed + static_cast<uint64_t>(index)));
 }
@@ -35,7 +32,7 @@ void Describe(const Course &course, bool optimum, Run *common) {
     common->rigid = course.IsRigid();
     common->convex = course.IsConvex();
     common->n = course.BodyOf(0).Polygon()->count;
-    common->ratio = course.Separation() > 0.0 ? course.Diameter() / course.Separation() : INFINITY;
+    common->ratio = course.Diameter() / course.Separation();
     if (!optimum)
         return;
     const bmr_course followed = course.AsCourse();
@@ -52,15 +49,11 @@ std::vector<Run> Perform(const Experiment &experiment, const ExperimentProgress 
         size_t motion, ratio;
         uint64_t seed;
     };
-    const bool ownMotion = !experiment.motionFile.empty();
     std::vector<Job> jobs;
-    if (ownMotion)
-        jobs.push_back({0, 0, 0});
-    else
-        for (size_t motion = 0; motion < experiment.motions.size(); ++motion)
-            for (size_t ratio = 0; ratio < experiment.ratios.size(); ++ratio)
-                for (const uint64_t seed : experiment.seeds)
-                    jobs.push_back({motion, ratio, seed});
+    for (size_t motion = 0; motion < experiment.motions.size(); ++motion)
+        for (size_t ratio = 0; ratio < experiment.ratios.size(); ++ratio)
+            for (const uint64_t seed : experiment.seeds)
+                jobs.push_back({motion, ratio, seed});
 
     std::vector<Run> runs;
     const size_t total = jobs.size() * experiment.structures.size();
@@ -70,40 +63,33 @@ std::vector<Run> Perform(const Experiment &experiment, const ExperimentProgress 
         Run common;
         common.seed = job.seed;
         common.ratioIndex = job.ratio;
-        common.wantedRatio = ownMotion ? 0.0 : experiment.ratios[job.ratio];
-        std::unique_ptr<Course> course;
-        if (ownMotion) {
-            common.motion = experiment.motionFile;
-            course = std::make_unique<Course>(a, b, ReadMotionFile(experiment.motionFile));
-        } else {
-            const bmr_family family = experiment.motions[job.motion];
-            common.motion = bmr_family_name(family);
-            progress(common.motion, done, total);
-            course = std::make_unique<Course>(
-                a, b, bmr_family_def{family, experiment.ratios[job.ratio], job.seed, 0, 0});
-        }
-        Describe(*course, experiment.optimum, &common);
+        common.wantedRatio = experiment.ratios[job.ratio];
+        const bmr_family family = experiment.motions[job.motion];
+        common.motion = bmr_family_name(family);
+        progress(common.motion, done, total);
+        const Course course(a, b, bmr_family_def{family, experiment.ratios[job.ratio], job.seed, 0, 0});
+        Describe(course, experiment.optimum, &common);
         for (const bmr_kds_info *structure : experiment.structures) {
             progress(common.motion + ", " + structure->name, done++, total);
-            if (!Takes(*structure, *course))
+            if (!Takes(*structure, course))
                 continue;
             Run run = common;
             run.structure = structure;
-            run.outcome = Follow(*course, *structure, DefFor(*course), experiment.audit);
+            run.outcome = Follow(course, *structure, DefFor(course), experiment.audit);
             runs.push_back(std::move(run));
         }
         if (experiment.onCourse)
-            experiment.onCourse(*course, common.motion, job.ratio, job.seed);
+            experiment.onCourse(course, common.motion, job.ratio, job.seed);
     }
     return runs;
 }
 
 double EventsOf(const Run &run) {
-    return static_cast<double>(run.outcome.run.events);
+    return static_cast<double>(run.outcome.events);
 }
 
 double LinesOf(const Run &run) {
-    return static_cast<double>(run.outcome.run.lines);
+    return static_cast<double>(run.outcome.lines);
 }
 
 std::optional<double> MeanOver(const std::vector<Run> &runs, const std::string &motion,
@@ -167,7 +153,7 @@ std::optional<Growth> GrowthOf(const std::vector<Run> &runs, const std::string &
     std::vector<double> ratios, values;
     Growth growth;
     for (const Run &run : runs)
-        if (run.motion == motion && run.structure == structure && std::isfinite(run.ratio)) {
+        if (run.motion == motion && run.structure == structure) {
             ratios.push_back(run.ratio);
             values.push_back(EventsOf(run));
             growth.bound = BoundFor(*structure, run.rigid, run.convex);
@@ -199,14 +185,14 @@ QualitySummary QualitiesOver(const std::vector<Run> &runs, const bmr_kds_info *s
     for (const Run &run : runs) {
         if (run.structure != structure)
             continue;
-        const bmr_qualities &its = run.outcome.run.qualities;
+        const bmr_qualities &its = run.outcome.qualities;
         all.conditions = std::max(all.conditions, its.conditions);
         all.bytes = std::max(all.bytes, its.bytes);
         all.touched += its.touched;
         all.touched_most = std::max(all.touched_most, its.touched_most);
         all.replanned = std::max(all.replanned, its.replanned);
         all.efficiency += its.efficiency;
-        summary.rho = std::min(summary.rho, run.outcome.run.hysteresis.both);
+        summary.rho = std::min(summary.rho, run.outcome.hysteresis.both);
         ++count;
     }
     all.touched /= std::max(count, 1);
@@ -237,24 +223,20 @@ std::vector<const bmr_kds_info *> StructuresOf(const std::vector<Run> &runs) {
 
 void WriteCsv(std::ostream &out, const std::vector<Run> &runs) {
     constexpr int kDigits = 9;
-    out << "motion,structure,n,ratio,seed,events,outside,lines,touched,failure_times,external,conditions,"
+    out << "motion,structure,n,ratio,seed,events,lines,touched,failure_times,external,conditions,"
            "pair_bytes,hysteresis,optimum,wanted_ratio";
     for (int kind = 0; kind < BMR_KDS_NONE; ++kind)
         out << ',' << bmr_kds_event_name(static_cast<bmr_kds_event_kind>(kind));
     out << '\n' << std::setprecision(kDigits);
-    const auto writeFinite = [&out](double value) {
-        if (std::isfinite(value))
-            out << value;
-        out << ',';
-    };
     for (const Run &run : runs) {
-        const bmr_simulation_counts &counts = run.outcome.run.counts;
-        out << run.motion << ',' << run.structure->name << ',' << run.n << ',';
-        writeFinite(run.ratio);
-        out << run.seed << ',' << run.outcome.run.events << ',' << run.outcome.outsideEvents << ','
-            << run.outcome.run.lines << ',' << counts.touched << ',' << counts.failure_times << ','
-            << counts.external << ',' << counts.conditions << ',' << counts.pair_bytes << ',';
-        writeFinite(run.outcome.run.hysteresis.both);
+        const bmr_simulation_counts &counts = run.outcome.counts;
+        out << run.motion << ',' << run.structure->name << ',' << run.n << ',' << run.ratio << ',' << run.seed
+            << ',' << run.outcome.events << ',' << run.outcome.lines << ',' << counts.touched << ','
+            << counts.failure_times << ',' << counts.external << ',' << counts.conditions << ','
+            << counts.pair_bytes << ',';
+        if (std::isfinite(run.outcome.hysteresis.both))
+            out << run.outcome.hysteresis.both;
+        out << ',';
         if (run.optimum)
             out << run.optimum->least;
         out << ',' << run.wantedRatio;

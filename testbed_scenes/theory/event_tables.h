@@ -30,10 +30,6 @@ struct Experiment {
     /// Called for every course after its runs.
     std::function<void(const Course &course, const std::string &motion, size_t ratioIndex, uint64_t seed)>
         onCourse;
-
-    // One's own bodies and motion instead of families and ratios.
-    std::vector<std::string> polygonFiles; ///< of A and B; one: both alike
-    std::string motionFile;
 };
 
 /// One run of one structure.
@@ -41,12 +37,12 @@ struct Run {
     std::string motion;
     const bmr_kds_info *structure = nullptr;
     size_t n = 0;
-    double ratio = 0.0;       ///< D/sigma as measured; INFINITY where the two are in contact on the way
-    double wantedRatio = 0.0; ///< as asked for; 0: a motion of one's own
+    double ratio = 0.0;       ///< D/sigma as measured
+    double wantedRatio = 0.0; ///< as asked for
     size_t ratioIndex = 0;
     uint64_t seed = 0;
     bool rigid = false, convex = false;
-    Outcome outcome;
+    bmr_run outcome = {};
     std::optional<bmr_optimum> optimum; ///< the best offline cover of this course
 };
 

@@ -10,6 +10,46 @@ namespace testbed {
 
 using shown::Vec;
 
+namespace {
+
+Vec ToVec(bmr_vec2 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y)};
+}
+
+std::vector<Vec> ToVecs(const std::vector<bmr_vec2> &points) {
+    std::vector<Vec> list;
+    for (const bmr_vec2 &point : points)
+        list.push_back(ToVec(point));
+    return list;
+}
+
+/// A body's only fixture, a polygon.
+shown::Fixture PolygonOf(int body, const std::vector<bmr_vec2> &vertices) {
+    shown::Fixture fixture;
+    fixture.body = body;
+    fixture.shape = "polygon";
+    fixture.points = ToVecs(vertices);
+    return fixture;
+}
+
+/// A line that a structure keeps between two polygons at these poses, as a direction with its supports.
+shown::Proof LineOf(const bmr_kds_proof &line, const bmr_polygon *const polygons[2],
+                    const bmr_pose poses[2]) {
+    shown::Proof proof;
+    const auto own = static_cast<size_t>(line.owner), other = 1 - own;
+    const bmr_vec2 normal = line.line.normal, nearest = bmr_transform(&poses[other], line.nearest);
+    const bmr_vec2 seen = bmr_unrotate(&poses[own], bmr_sub(nearest, poses[own].position));
+    proof.kind = "direction";
+    proof.owner = line.owner;
+    proof.normal = ToVec(normal);
+    proof.supports[own] = ToVec(polygons[own]->vertices[bmr_polygon_support(polygons[own], normal)]);
+    proof.supports[other] = ToVec(line.nearest);
+    proof.slack = static_cast<float>(std::max(0.0, bmr_dot(normal, seen) - line.line.offset));
+    return proof;
+}
+
+} // namespace
+
 int WorldFrames::NumberOf(bmr_body body) const {
     return static_cast<int>(bmr_is_wall(body) ? m_setup.bodies.size() + (body - BMR_WALL(0)) : body);
 }

@@ -23,9 +23,9 @@ std::vector<Run> RunsWith(const char *structure, bool rigid, bool convex,
             run.seed = seed;
             run.rigid = rigid;
             run.convex = convex;
-            run.outcome.run.events =
+            run.outcome.events =
                 static_cast<uint64_t>(std::lround(events(ratio) * (1.0 + 0.03 * static_cast<double>(seed))));
-            run.outcome.run.lines = run.outcome.run.events / 2;
+            run.outcome.lines = run.outcome.events / 2;
             bmr_optimum optimum = {};
             optimum.least = 11;
             run.optimum = optimum;

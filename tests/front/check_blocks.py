@@ -107,13 +107,6 @@ class Checker:
                     wrong.append(f"{block}: {error}")
         return wrong if len(found) == 2 else [f"no page quotes {name} and what it prints"]
 
-    def motions(self, block):
-        (self.work / "motions.txt").write_text(block.code)
-        (self.work / "square.txt").write_text("1 1\n-1 1\n-1 -1\n1 -1\n")
-        square = ["--polygon", "square.txt"]
-        run([self.build / "bin/boomerang-testbed", "events", *square, *square, "--motion", "motions.txt", "--structures", "lazy-dudley", "--no-optimum"],
-            cwd=self.work)
-
     def cpp(self, page, blocks):
         """All of a page in one program: a later block may do without what an earlier one includes."""
         text, calls = "", ""
@@ -152,8 +145,6 @@ class Checker:
                     attempt(block, self.shell, block)
                 elif block.language == "cpp":
                     in_cpp.setdefault(page, []).append(block)
-                elif block.code.startswith("# A rests; B passes above it"):
-                    attempt(block, self.motions, block)
         for page, blocks in in_cpp.items():
             attempt(page, self.cpp, page, blocks)
         return wrong

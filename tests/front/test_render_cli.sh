@@ -138,73 +138,8 @@ test_bodies_in_focus_are_numbered() {
     [ "$(grep -cE '^[0-9.]+ m$' "$scratch/seen.txt")" -ge 4 ] || fail "it does not say how far apart they are" # and the scale
 }
 
-# Two polygons of one's own: a square that flies over a twelve-sided one, and turns.
-write_pair() {
-    printf '%s\n' '1 1' '-1 1' '-1 -1' '1 -1' >"$scratch/square.txt"
-    awk 'BEGIN { for (i = 0; i < 12; ++i) print 2 * cos(i * 3.14159265 / 6), sin(i * 3.14159265 / 6) }' >"$scratch/twelve.txt"
-    printf '%s\n' 'body B' 'screw 0 -6 2.5 0 12 0 3' >"$scratch/motion.txt"
-    pair=(--polygon "$scratch/twelve.txt" --polygon "$scratch/square.txt" --motion "$scratch/motion.txt")
-}
-
-height() { grep -m 1 '<svg' "$1" | sed -E 's/.* height="([0-9]+).*/\1/'; }
-shapes() { sed '1,/<\/defs>/d' "$1" | grep -c '<path'; }
-
-test_two_polygons_of_ones_own() {
-    write_pair
-    says 'motion.txt, step 150$' 0 render "${pair[@]}" --step 150 --width 400 -o "$scratch/pair.svg"
-    says '4 pictures of motion.txt, steps 0 to 300' 0 render "${pair[@]}" --frames 0:300:100 --width 400 -o "$scratch/pair.svg"
-    same_svg "$scratch/pair-0000.svg" "$scratch/pair-0003.svg" && fail "nothing moves"
-    [ ! -e "$scratch/pair-0004.svg" ] || fail "one picture too many"
-    # A series shows all of their way, which is wider than where they begin.
-    draw "$scratch/first.svg" "${pair[@]}" --step 0 --width 400
-    [ "$(height "$scratch/pair-0000.svg")" -lt "$(height "$scratch/first.svg")" ] || fail "the square leaves the picture"
-    # Half of the time is half of the steps, however many there are.
-    draw "$scratch/middle.svg" "${pair[@]}" --steps 10 --step 5 --certificates --width 400
-    draw "$scratch/half.svg" "${pair[@]}" --step 150 --certificates --width 400
-    same_svg "$scratch/middle.svg" "$scratch/half.svg" || fail "half of the time is another picture with fewer steps"
-    # Each layer draws so many shapes more: those of its words in the legend, and its own.
-    draw "$scratch/none.svg" "${pair[@]}" --step 150 --bare --width 400
-    local layer more structure
-    for layer in certificates:6 slack:66 envelopes:3 trails:60; do
-        more=${layer#*:} layer=${layer%:*}
-        draw "$scratch/$layer.svg" "${pair[@]}" --step 150 --width 400 "--$layer"
-        [ "$(shapes "$scratch/$layer.svg")" -ge "$(($(shapes "$scratch/none.svg") + more))" ] || fail "the layer $layer draws nothing"
-    done
-    for structure in closest-features free-fd2; do
-        draw "$scratch/$structure.svg" "${pair[@]}" --step 150 --certificates --width 400 --structure "$structure"
-        same_svg "$scratch/half.svg" "$scratch/$structure.svg" && fail "$structure has the line of lazy-compass"
-    done
-    draw "$scratch/focus.pdf" "${pair[@]}" --step 150 --focus 0,1
-    pdftotext "$scratch/focus.pdf" - | grep -qx '0\.432' || fail "it does not say how far the two are apart"
-}
-
-test_two_polygons_that_make_no_sense() {
-    write_pair
-    printf '%s\n' '1 1' 'nan 1' '-1 -1' >"$scratch/nan.txt"
-    printf '%s\n' '1 1' '-1 1' >"$scratch/two.txt"
-    printf '%s\n' '2 2' '-2 2' '-2 -2' '2 -2' '0 0' >"$scratch/bent.txt"
-    printf '%s\n' 'body B' 'fly 1 2' >"$scratch/fly.txt"
-    local at=(--step 1 -o "$scratch/no.svg") motion=(--motion "$scratch/motion.txt")
-    says 'nan.txt, line 2: x: "nan" is no number$' 2 render --polygon "$scratch/nan.txt" "${motion[@]}" "${at[@]}"
-    says 'two.txt: a polygon has three corners or more' 2 render --polygon "$scratch/two.txt" "${motion[@]}" "${at[@]}"
-    says 'bent.txt: the polygon is not convex: \(0, 0\) lies inside' 2 render --polygon "$scratch/bent.txt" "${motion[@]}" "${at[@]}"
-    says 'fly.txt, line 2: "fly" is none of' 2 render --polygon "$scratch/square.txt" --motion "$scratch/fly.txt" "${at[@]}"
-    says "two polygons of one's own need them all" 2 render "${pair[@]:0:4}" "${at[@]}"
-    says "two polygons of one's own need them all" 2 render "${motion[@]}" "${at[@]}"
-    says "two polygons of one's own need them all" 2 render "${pair[@]}" --polygon "$scratch/square.txt" "${at[@]}"
-    says 'one of the two' 2 render planks "${pair[@]}" "${at[@]}"
-    says 'free-direction is the plugin' 2 render "${pair[@]}" --structure free-direction "${at[@]}"
-    says 'does not take two polygons that turn' 2 render "${pair[@]}" --structure point-lazy-dudley "${at[@]}"
-    says 'free-fd2 is for --polygon' 2 render planks --structure free-fd2 "${at[@]}"
-    says 'the last step of the motion is 300, not 301' 2 render "${pair[@]}" --step 301 -o "$scratch/no.svg"
-    says 'the last step of the motion is 20, not 90' 2 render "${pair[@]}" --steps 20 --frames 0:90 -o "$scratch/no.svg"
-    says 'have none' 2 render "${pair[@]}" --hulls "${at[@]}"
-    says 'a kinetic world or of two polygons' 2 render planks --trails "${at[@]}"
-    says 'a scene is wanted, or --polygon' 2 render "${at[@]}"
-    [ ! -e "$scratch/no.svg" ] || fail "there is a picture all the same"
-}
-
 test_requests_that_make_no_sense() {
+    says 'trails: of a kinetic world' 2 render planks --step 1 --trails -o "$scratch/picture.svg"
     says 'which step' 2 render pyramid -o "$scratch/picture.svg"
     expect 2 render pyramid --step -1 -o "$scratch/picture.svg"
     says 'no whole number from 0 to 100000000' 2 render pyramid --step 100000001 -o "$scratch/picture.svg"

@@ -29,27 +29,10 @@ test_events_are_written_as_csv() {
     # 2 motions, 4 ratios, 3 structures.
     [ "$(wc -l <"$scratch/e.csv")" -eq 25 ] || fail "the CSV file has not one row a run"
     # Every kind of an event has a column, and together they are the events and one start.
-    awk -F, 'NR > 1 { n = 0; for (i = 17; i <= NF; ++i) n += $i; if (n != $6 + 1) { print; bad = 1 } } END { exit bad || NR < 2 }' "$scratch/e.csv" \
+    awk -F, 'NR > 1 { n = 0; for (i = 16; i <= NF; ++i) n += $i; if (n != $6 + 1) { print; bad = 1 } } END { exit bad || NR < 2 }' "$scratch/e.csv" \
         >"$scratch/out" || fail "a row of other events than its kinds"
     expect 0 events "${small[@]}" --quiet --csv "$scratch/again.csv"
     cmp -s "$scratch/e.csv" "$scratch/again.csv" || fail "a second run counts otherwise"
-}
-
-test_events_take_ones_own_polygons_and_motion() {
-    printf '# a square\n1 1\n-1 1\n-1 -1\n1 -1\n0 0\n' >"$scratch/square.txt"
-    printf '%s\n' 'time 0 1' 'body A' 'rest 0 0 0 0' 'body B' 'screw 0 -6 0 0 12 0 0  # straight through A' >"$scratch/hit.txt"
-    expect 0 events --polygon "$scratch/square.txt" --motion "$scratch/hit.txt" --structures rigid --quiet --csv "$scratch/hit.csv"
-    # Every structure sees one contact begin and one end: two squares of half width 1, apart again at x = 2.
-    awk -F, 'NR > 1 && $11 != 2 { print; bad = 1 } END { exit bad || NR < 5 }' "$scratch/hit.csv" >"$scratch/out" || fail "not two external events"
-    # A little to the side it is never in contact.
-    expect 0 events --polygon "$scratch/square.txt" --motion "$scratch/hit.txt" --structures lazy-compass
-    out_has 'n = 4, in contact on the way$'
-    sed 's/screw 0 -6 0/screw 0 -6 2.5/' "$scratch/hit.txt" >"$scratch/miss.txt"
-    says 'D/sigma = 5\.6' 0 events --polygon "$scratch/square.txt" --motion "$scratch/miss.txt" --structures lazy-compass
-    for motion in 'sample 0 4 0 0|sample 1 4 4 1' 'algebraic 0 0 x 4 1 y 0 0 2 a 1 b 0 1'; do
-        { echo 'body B'; tr '|' '\n' <<<"$motion"; } >"$scratch/m.txt"
-        expect 0 events --polygon "$scratch/square.txt" --motion "$scratch/m.txt" --structures free-fd2 --audit
-    done
 }
 
 test_events_explain_wrong_input() {
@@ -58,14 +41,6 @@ test_events_explain_wrong_input() {
     says '"x" is no number' 2 events --ratios 8:x
     says 'LOW:HIGH' 2 events --ratios 512:8
     expect 2 events --n 2
-    says 'none.txt' 2 events --polygon "$scratch/none.txt"
-    printf 'body B\nscrew 0 1 1 0 1\n' >"$scratch/short.txt"
-    says 'short.txt, line 2: a number is missing: VY' 2 events --motion "$scratch/short.txt"
-    printf 'body B\nscrow 0\n' >"$scratch/word.txt"
-    says 'line 2: "scrow" is none of' 2 events --motion "$scratch/word.txt"
-    printf '1 1\nx 2\n' >"$scratch/points.txt"
-    says 'points.txt, line 2' 2 events --polygon "$scratch/points.txt" line
-    expect 2 events --motion /dev/null
     says 'none of these structures' 2 events line --structures points
 }
 

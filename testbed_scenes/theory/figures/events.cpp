@@ -12,8 +12,8 @@ namespace testbed {
 namespace {
 
 /// A screw motion of B from one place to another in the time 0 to 1, A at rest.
-MotionFile Pass(bmr_vec2 from, bmr_vec2 to, double angle, double spin) {
-    MotionFile file;
+TwoMotions Pass(bmr_vec2 from, bmr_vec2 to, double angle, double spin) {
+    TwoMotions two;
     const bmr_motion_piece rest = bmr_piece_rest(bmr_pose_identity());
     const bmr_motion_piece pass =
         bmr_piece_screw(0.0, bmr_pose_from_angle(from, angle), bmr_sub(to, from), spin);
@@ -21,9 +21,9 @@ MotionFile Pass(bmr_vec2 from, bmr_vec2 to, double angle, double spin) {
     for (int i = 0; i < 2; ++i) {
         bmr_motion *made = nullptr;
         Require(bmr_motion_create(pieces[i], nullptr, &made), "a motion");
-        file.motions[i].reset(made);
+        two.motions[i].reset(made);
     }
-    return file;
+    return two;
 }
 
 /// Where a point's structure says the point is: the conditions that it waits for, as a region of A's frame.
