@@ -26,8 +26,7 @@ constexpr double kTimeStep = 1.0 / 60.0;
 constexpr int kProbes = 4096;
 
 bmr_pose PoseOf(const Course &course, int body, double part) {
-    return bmr_motion_pose(course.Motion(body), course.From() + part * (course.Until() - course.From()),
-                           nullptr, nullptr);
+    return bmr_motion_pose(course.Motion(body), part, nullptr, nullptr);
 }
 
 double TurnBetween(const bmr_pose &from, const bmr_pose &to) {

@@ -128,25 +128,20 @@ void CompareHashes(const Workers &workers, const CompareOptions &options, SceneR
 }
 
 void Measure(const Workers &workers, const CompareOptions &options, SceneResult &result, Progress &progress) {
-    const auto run = [&](Side side, const char *mode, const WorkerOptions &worker) {
-        nlohmann::json summary = workers.Run(RequestFor(side, result, options, mode), worker);
+    const auto run = [&](Side side, const char *mode) {
+        nlohmann::json summary = workers.Run(RequestFor(side, result, options, mode), options.worker);
         progress.Finish();
         return summary;
     };
     progress.Show(result.scene.name + ": counting");
-    result.stockCount = run(Side::Stock, "count", options.worker);
-    result.pluginCount = run(Side::Plugin, "count", options.worker);
-    if (!options.worker.structure.empty()) {
-        WorkerOptions asGamesHaveIt = options.worker;
-        asGamesHaveIt.structure.clear();
-        result.linesCount = run(Side::Plugin, "count", asGamesHaveIt);
-    }
+    result.stockCount = run(Side::Stock, "count");
+    result.pluginCount = run(Side::Plugin, "count");
     for (int i = 0; options.time && i < options.repeat; ++i) {
         progress.Show(result.scene.name + ": timing");
         // Taking turns at who goes first, so that a machine that warms up or slows down favours nobody.
         for (const bool isStock : {i % 2 == 0, i % 2 != 0})
             (isStock ? result.stockTimes : result.pluginTimes)
-                .push_back(run(isStock ? Side::Stock : Side::Plugin, "time", options.worker));
+                .push_back(run(isStock ? Side::Stock : Side::Plugin, "time"));
     }
 }
 
@@ -159,8 +154,8 @@ const char *NameOf(Verdict verdict) {
 
 int RunsPerScene(const CompareOptions &options) {
     constexpr int kHashing = 1; // all sides run at once
-    const int counting = options.worker.structure.empty() ? 2 : 3;
-    return kHashing + counting + (options.time ? 2 * options.repeat : 0);
+    constexpr int kCounting = 2;
+    return kHashing + kCounting + (options.time ? 2 * options.repeat : 0);
 }
 
 SceneResult CompareScene(const Workers &workers, const SceneInfo &scene, const CompareOptions &options,

@@ -55,7 +55,6 @@ struct SceneResult {
     std::string failure;                    ///< why no verdict was reached, with the worker's last words
     std::optional<Difference> difference;   ///< set where a variant is Different: the earliest
     nlohmann::json stockCount, pluginCount; ///< summaries of the counting runs; null where there were none
-    nlohmann::json linesCount;              ///< with --structure: of one as games have it
     /// Summaries of the timed runs, paired by index.
     std::vector<nlohmann::json> stockTimes, pluginTimes;
 };

@@ -21,8 +21,7 @@ Number Quotient(Number a, Number b) {
 
 /// A summary of a counting run.
 using Summary = nlohmann::json SceneResult::*;
-constexpr Summary kStockCount = &SceneResult::stockCount, kPluginCount = &SceneResult::pluginCount,
-                  kLinesCount = &SceneResult::linesCount;
+constexpr Summary kStockCount = &SceneResult::stockCount, kPluginCount = &SceneResult::pluginCount;
 
 /// The sum of some counts of a run.
 Figure Sum(Summary summary, const std::vector<std::string> &names) {
@@ -223,29 +222,6 @@ SceneTable EventTable() {
         }};
 }
 
-SceneTable ModeTable() {
-    return {"Events of both modes beside Box2D's own distance calls, per step",
-            {
-                {"stock Box2D", "tests",
-                 PerStep(kStockCount, {"polygon_tests", "overlap_calls", "toi_calls"}), 1},
-                {"stock Box2D", "b2Distance", PerStep(kStockCount, {"distance_calls"}), 1},
-                {"a line a contact", "pairs", PerStep(kLinesCount, {"plugin/pairs"}), 1},
-                {"a line a contact", "renewed", PerStep(kLinesCount, {"plugin/renewals"}), 1},
-                {"a line a contact", "updates", PerStep(kLinesCount, {"plugin/updates"}), 1},
-                {"a line a contact", "events", PerStep(kLinesCount, EventNames()), 2},
-                {"a structure a pair of bodies", "updates", PerStep(kPluginCount, {"plugin/updates"}), 1},
-                {"a structure a pair of bodies", "checks", PerStep(kPluginCount, {"plugin/hull_checks"}), 1},
-                {"a structure a pair of bodies", "events", PerStep(kPluginCount, EventNames()), 2},
-                {"a structure a pair of bodies", "exact", PerStep(kPluginCount, {"plugin/handed_over"}), 1},
-            },
-            {
-                "tests: b2CollidePolygons, b2TestOverlap and b2TimeOfImpact; b2Distance: within the last two",
-                "a line a contact: as games have it; its failure time is bounded instead of computed",
-                "a structure a pair of bodies: --structure; checks: its certificates, asked",
-                "exact: contact points computed, because a stab reached the hulls or because the two touched",
-            }};
-}
-
 /// How long a step takes: shown beside the verdicts, too.
 const std::vector<SceneColumn> kStepColumns = {
     {"whole step, us", "stock", Microseconds(kStockTimes, kWholeStep), 1},
@@ -364,8 +340,6 @@ void PrintTables(std::ostream &out, const std::vector<SceneResult> &results, con
         return;
     }
     std::vector<SceneTable> tables = {TestTable(), BudgetTable(), EventTable()};
-    if (!options.worker.structure.empty())
-        tables.push_back(ModeTable());
     if (options.time)
         tables.push_back(TimeTable(options.repeat));
     for (const SceneTable &table : tables)

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "boomerang/distance.h"
-
 namespace testbed {
 
 void Require(bmr_error error, const std::string &what) {
@@ -52,9 +50,6 @@ std::vector<bmr_vec2> Body::Vertices() const {
 
 namespace {
 
-/// The separation of a motion of no family is measured to this part of the diameter.
-constexpr double kSeparationTolerance = 1e-6;
-
 void OnEvent(void *context, const bmr_simulation_event *event) {
     (*static_cast<EventObserver *>(context))(*event);
 }
@@ -67,8 +62,8 @@ Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, con
     bmr_family_motion made = {};
     Require(bmr_family_create(&family, m_bodies[0]->Polygon(), m_bodies[1]->Polygon(), nullptr, &made),
             std::string("the motion ") + bmr_family_name(family.family));
-    for (int i = 0; i < 2; ++i)
-        m_motions.motions[i].reset(made.motions[i]);
+    for (size_t i = 0; i < 2; ++i)
+        m_motions[i].reset(made.motions[i]);
     m_diameter = made.diameter;
     m_separation = made.separation;
 }
@@ -76,18 +71,11 @@ Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, con
 Course::Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, TwoMotions motions)
     : m_bodies{std::move(a), std::move(b)}, m_motions(std::move(motions)),
       m_diameter(std::max(bmr_polygon_diameter(m_bodies[0]->Polygon()),
-                          bmr_polygon_diameter(m_bodies[1]->Polygon()))) {
-    double time = 0.0;
-    Require(bmr_least_distance(m_bodies[0]->Polygon(), m_bodies[1]->Polygon(), Motion(0), Motion(1), From(),
-                               Until(), kSeparationTolerance * m_diameter, &m_separation, &time),
-            "the separation");
-}
+                          bmr_polygon_diameter(m_bodies[1]->Polygon()))) {}
 
 bmr_course Course::AsCourse() const {
-    return {{m_bodies[0]->Polygon(), m_bodies[1]->Polygon()},
-            {m_motions.motions[0].get(), m_motions.motions[1].get()},
-            From(),
-            Until()};
+    return {
+        {m_bodies[0]->Polygon(), m_bodies[1]->Polygon()}, {m_motions[0].get(), m_motions[1].get()}, 0.0, 1.0};
 }
 
 bmr_kds_def DefFor(const Course &course) {

@@ -2,6 +2,7 @@
 #ifndef BOOMERANG_TESTBED_COURSE_H
 #define BOOMERANG_TESTBED_COURSE_H
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -49,25 +50,20 @@ struct MotionDeleter {
 };
 using MotionPointer = std::unique_ptr<bmr_motion, MotionDeleter>;
 
-/// The motions of A and B, from the time `from` until `until`.
-struct TwoMotions {
-    MotionPointer motions[2];
-    double from = 0.0, until = 1.0;
-};
+/// The motions of A and B.
+using TwoMotions = std::array<MotionPointer, 2>;
 
-/// What two bodies do: a family's motion, or another.
+/// What two bodies do from the time 0 to 1: a family's motion, or another.
 class Course {
 public:
     Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, const bmr_family_def &family);
     Course(std::shared_ptr<const Body> a, std::shared_ptr<const Body> b, TwoMotions motions);
 
     const Body &BodyOf(int index) const { return *m_bodies[index]; }
-    const bmr_motion *Motion(int index) const { return m_motions.motions[index].get(); }
+    const bmr_motion *Motion(int index) const { return m_motions[static_cast<size_t>(index)].get(); }
     bmr_course AsCourse() const;
-    double From() const { return m_motions.from; }
-    double Until() const { return m_motions.until; }
     double Diameter() const { return m_diameter; }
-    /// The least separation over the whole course.
+    /// The least separation over the whole course; 0: of no family, not measured.
     double Separation() const { return m_separation; }
     /// Does the relative rotation change on the way?
     bool IsRigid() const { return m_rigid; }

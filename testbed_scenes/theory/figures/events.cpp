@@ -18,10 +18,10 @@ TwoMotions Pass(bmr_vec2 from, bmr_vec2 to, double angle, double spin) {
     const bmr_motion_piece pass =
         bmr_piece_screw(0.0, bmr_pose_from_angle(from, angle), bmr_sub(to, from), spin);
     const bmr_motion_piece *const pieces[2] = {&rest, &pass};
-    for (int i = 0; i < 2; ++i) {
+    for (size_t i = 0; i < 2; ++i) {
         bmr_motion *made = nullptr;
         Require(bmr_motion_create(pieces[i], nullptr, &made), "a motion");
-        two.motions[i].reset(made);
+        two[i].reset(made);
     }
     return two;
 }
