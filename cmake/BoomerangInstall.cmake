@@ -12,7 +12,7 @@
 #                         compiles; without what needs GSL, which is
 #   development_kinetic   the same of boomerang::kinetic
 #   testbed               boomerang-testbed, its workers
-#   documentation         README.md, docs/, and what these link to
+#   documentation         README.md, docs/, and the sources that these link to
 #   python                the Python module
 #
 # Files that are installed without a COMPONENT belong to the runtime.
@@ -74,11 +74,12 @@ if(TARGET boomerang_box2d)
   install(FILES ${box2d_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/boomerang COMPONENT development)
 endif()
 
-# The documentation as it lies in the sources, so that its links lead somewhere.
-install(CODE "set(boomerang_root [[${PROJECT_SOURCE_DIR}]])
-  set(boomerang_pages [[${PROJECT_BINARY_DIR}/documentation]])
-  set(boomerang_destination [[${CMAKE_INSTALL_DOCDIR}]])" COMPONENT documentation)
-install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/BoomerangDocumentation.cmake COMPONENT documentation)
+# The pages as they lie in the sources, with what they link to. (Their links to tests/ lead somewhere in the sources alone.)
+install(DIRECTORY docs core box2d_glue plugin DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation
+  FILES_MATCHING REGEX "\\.(md|h|c|cpp|py|svg|png|gif)$" PATTERN "__pycache__" EXCLUDE)
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
+install(FILES playground/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/playground COMPONENT documentation)
+install(FILES testbed_scenes/scene.h DESTINATION ${CMAKE_INSTALL_DOCDIR}/testbed_scenes COMPONENT documentation)
 
 # Debian's Python looks there below /usr, and below /usr/local in a folder with its version.
 if(NOT DEFINED BOOMERANG_PYTHON_DIR)

@@ -97,8 +97,10 @@ install)
                 fail "the installed sources are others: $(head -n 1 "$WORK/sources.txt")"
         done
     fi
-    # No link of an installed page is dead.
-    python3 "$SOURCE/tests/front/check_links.py" "$prefix/share/doc/boomerang" >"$WORK/links.txt" || fail "$(cat "$WORK/links.txt")"
+    # No link of an installed page is dead, but for those to the tests.
+    python3 "$SOURCE/tests/front/check_links.py" "$prefix/share/doc/boomerang" >"$WORK/links.txt" || true
+    ! grep -vE ': (\.\./)*tests/' "$WORK/links.txt" || fail "a link of an installed page is dead"
+    grep -q 'README.md: tests/README.md leads nowhere' "$WORK/links.txt" || fail "control: no link was looked at"
     # What ships inside a game must not depend on GSL, which is GPL-3. (libboomerang_kinetic is what does.)
     while read -r library; do
         ! readelf --dynamic "$library" | grep NEEDED | grep -i gsl || fail "$library links GSL"
