@@ -43,15 +43,6 @@ void b2CollidePolygons(b2Manifold *manifold, const b2PolygonShape *polygonA, con
         ++counted.polygon_tests_apart;
 }
 
-bool b2TestOverlap(const b2Shape *shapeA, int32 indexA, const b2Shape *shapeB, int32 indexB,
-                   const b2Transform &xfA, const b2Transform &xfB) {
-    using Overlap =
-        bool (*)(const b2Shape *, int32, const b2Shape *, int32, const b2Transform &, const b2Transform &);
-    static const auto next = Next<Overlap>("_Z13b2TestOverlapPK7b2ShapeiS1_iRK11b2TransformS4_");
-    ++counted.overlap_calls;
-    return next(shapeA, indexA, shapeB, indexB, xfA, xfB);
-}
-
 void b2TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
     static const auto next =
         Next<decltype(&b2TimeOfImpact)>("_Z14b2TimeOfImpactP11b2TOIOutputPK10b2TOIInput");

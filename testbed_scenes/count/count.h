@@ -16,7 +16,6 @@ struct boomerang_counts {
     uint64_t polygon_tests_apart; ///< of those, the ones that found no contact point
     uint64_t toi_calls;           ///< b2TimeOfImpact
     uint64_t distance_calls; ///< b2Distance, of which b2TimeOfImpact and b2TestOverlap make some themselves
-    uint64_t overlap_calls;  ///< b2TestOverlap of two shapes
 };
 
 /// Calls since the process began.

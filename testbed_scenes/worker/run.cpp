@@ -29,8 +29,7 @@ std::map<std::string, uint64_t> ReadCounts() {
     return {{"polygon_tests", counts.polygon_tests},
             {"polygon_tests_apart", counts.polygon_tests_apart},
             {"toi_calls", counts.toi_calls},
-            {"distance_calls", counts.distance_calls},
-            {"overlap_calls", counts.overlap_calls}};
+            {"distance_calls", counts.distance_calls}};
 }
 
 /// Gathers, step by step, what the last line of a run says.
