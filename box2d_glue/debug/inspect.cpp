@@ -70,7 +70,6 @@ void FillDirection(const TwoHulls &hulls, const bmr_pair &kinetic, Proof *proof)
 
 void FillEdgeLine(const TwoHulls &hulls, const bmr_pair &kinetic, Proof *proof) {
     proof->kind = "edge-line";
-    proof->level = kinetic.level;
     const bmr_hierarchy &own = *hulls.own.Hierarchy(), &other = *hulls.other.Hierarchy();
     const uint32_t level = LevelOf(own, kinetic.level);
     const bmr_corner ends[2] = {bmr_hierarchy_corner_before(&own, kinetic.edge, level),
@@ -225,29 +224,6 @@ Proof internal::Inspect(const b2Contact &contact) {
     else
         AskEdges(contact, &proof);
     return proof;
-}
-
-std::vector<b2Vec2> internal::InspectHull(const b2Contact &contact, const Proof &proof, int side,
-                                          int32_t level) {
-    std::vector<b2Vec2> vertices;
-    const auto *pair = static_cast<const HullPair *>(proof.structure);
-    if (pair == nullptr)
-        return vertices;
-    const Hull &hull = pair->IsSwapped(contact) != (side == 1) ? *pair->b : *pair->a;
-    const bmr_hierarchy *hierarchy = hull.Hierarchy();
-    if (hierarchy == nullptr || level == kHullLevel) {
-        const bmr_polygon &polygon = *hull.Shape().polygon;
-        for (uint32_t i = 0; i < polygon.count; ++i)
-            vertices.push_back(Float(polygon.vertices[i]));
-        return vertices;
-    }
-    bmr_edge edge = 0;
-    do {
-        const bmr_corner corner = bmr_hierarchy_corner_after(hierarchy, edge, LevelOf(*hierarchy, level));
-        vertices.push_back(Float(bmr_hierarchy_corner_point(hierarchy, corner)));
-        edge = corner.after;
-    } while (edge != 0); // a root: on every level
-    return vertices;
 }
 
 } // namespace bmr

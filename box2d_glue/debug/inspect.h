@@ -2,9 +2,6 @@
 #ifndef BOOMERANG_GLUE_INSPECT_H
 #define BOOMERANG_GLUE_INSPECT_H
 
-#include <cstdint>
-#include <vector>
-
 #include <box2d/b2_math.h>
 
 #include "boomerang/box2d_glue.h"
@@ -31,10 +28,9 @@ struct Proof {
     const b2Fixture *fixtures[2] = {nullptr, nullptr}; ///< nullptr: the hull of all the body's polygons
     /// The vertex or corner nearest to the other body; of disks the centre. Of an edge, one of its ends.
     b2Vec2 supports[2] = {{0.0f, 0.0f}, {0.0f, 0.0f}};
-    float radii[2] = {0.0f, 0.0f}; ///< of disks
-    int owner = 0;                 ///< whose the line is
-    int32_t level = 0;             ///< of an edge-line, in the hierarchies; 0 is the bounding rectangle
-    b2Vec2 normal = {0.0f, 0.0f};  ///< out of the owner, of unit length; zero for disks
+    float radii[2] = {0.0f, 0.0f};                 ///< of disks
+    int owner = 0;                                 ///< whose the line is
+    b2Vec2 normal = {0.0f, 0.0f};                  ///< out of the owner, of unit length; zero for disks
     b2Vec2 edge[2] = {{0.0f, 0.0f}, {0.0f, 0.0f}}; ///< its ends, counter-clockwise
     /// A lower bound of the distance (radii not subtracted); 0 for none, and if a remembered edge is so far
     /// from the origin that rounding leaves nothing.
@@ -45,15 +41,6 @@ struct Proof {
 
 /// The proof that the next update of this contact would end with if its bodies stayed where they are.
 BMR_BOX2D_API Proof Inspect(const b2Contact &contact);
-
-/// A level past every hierarchy's deepest: the hull itself.
-constexpr int32_t kHullLevel = INT32_MAX;
-
-/// The hull that a proof's structure keeps of the body of the contact's fixture A (`side` 0) or B, or the
-/// envelope of its hierarchy at this level: in the body's frame, counter-clockwise. Empty without a
-/// structure; a hull that has no hierarchy is all levels.
-BMR_BOX2D_API std::vector<b2Vec2> InspectHull(const b2Contact &contact, const Proof &proof, int side,
-                                              int32_t level);
 
 } // namespace bmr::internal
 

@@ -49,13 +49,13 @@ void CheckBodies(const PictureOptions &options, const shown::Frame &frame) {
 
 Layers LayersOf(const PictureRequest &request, PictureSource source) {
     const Layers &named = request.named;
-    const bool trails = source == PictureSource::World;
+    const bool world = source == PictureSource::World;
     if (request.all)
-        return {true, true, true, true, true, true, true, true, trails};
-    if (!trails && named.trails)
-        throw UsageError("--trails: of a kinetic world alone");
+        return {true, true, true, true, true, true, world, world};
+    if (!world && (named.disks || named.trails))
+        throw UsageError("--disks and --trails: of a kinetic world alone");
     const bool any = named.certificates || named.slack || named.handedOver || named.contacts ||
-                     named.events || named.hulls || named.envelopes || named.boxes || named.trails;
+                     named.events || named.boxes || named.disks || named.trails;
     return any || request.bare ? named : Layers();
 }
 
@@ -106,9 +106,8 @@ void AddPictureOptions(CLI::App &app, PictureRequest &request, CLI::Option *outp
     layer("--handed-over", named.handedOver, "pairs that needed a manifold");
     layer("--contacts", named.contacts, "contact points and normals");
     layer("--events", named.events, "what happened to certificates in the step");
-    layer("--hulls", named.hulls, "hulls of bodies; of a kinetic world, their disks");
-    layer("--envelopes", named.envelopes, "envelopes at the level of the proof");
     layer("--aabbs", named.boxes, "boxes of the broad phase; of a kinetic world, the cells of its bodies");
+    layer("--disks", named.disks, "disks of bodies (of a kinetic world)");
     layer("--trails", named.trails, "where bodies were before (of a kinetic world)");
     CLI::Option *all = add(app.add_flag("--all", request.all, "Every layer"));
     add(app.add_flag("--bare", request.bare, "No layer: the bodies alone")->excludes(all));

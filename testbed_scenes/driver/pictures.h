@@ -21,7 +21,7 @@ struct PictureRequest {
     std::string focus;
     int width = 1200;
     /// What to draw: none named means what Layers has by itself.
-    Layers named = {false, false, false, false, false, false, false, false, false};
+    Layers named = {false, false, false, false, false, false, false, false};
     bool all = false, bare = false;
 };
 

@@ -15,19 +15,18 @@ constexpr char kPrefix[] = "frame ";
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Vec, x, y)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Pose, position, c, s)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Fixture, body, number, shape, points, radius, sensor, inner)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Body, number, type, pose, asleep, disabled)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Body, number, type, pose, asleep, disabled, disk)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Box, left, bottom, right, top)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Joint, line)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ContactPoint, at, impulse)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Contact, bodies, normal, points)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Outline, id, body, points)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Proof, kind, contacts, slack, owner, normal, edge, opposite, supports,
-                                   centres, radii, hulls, envelopes)
+                                   centres, radii)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Pair, a, b, contacts, polygon_contacts, touching, closest, distance,
                                    proofs, handed_over)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Event, kind, a, b)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Frame, scene, program, time, period, step, bodies, fixtures, boxes, joints,
-                                   touching, outlines, pairs, events)
+                                   touching, pairs, events)
 
 Vec Transform(const Pose &pose, const Vec &point) {
     const Vec turned = Rotate(pose, point);

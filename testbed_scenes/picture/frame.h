@@ -48,6 +48,7 @@ struct Body {
     std::string type; ///< static, kinematic or dynamic
     Pose pose;
     bool asleep = false, disabled = false;
+    float disk = 0.0f; ///< of a kinetic world: the radius of the disk about its origin that holds it
 };
 
 /// The box of a fixture's child in the broad phase (fattened); of a kinetic world, a body's cell.
@@ -73,14 +74,6 @@ struct Contact {
     std::vector<ContactPoint> points;
 };
 
-/// A convex polygon of a body that proofs speak of, counter-clockwise, in body coordinates: its hull, or the
-/// envelope around the hull at a level of its hierarchy.
-struct Outline {
-    int id = 0; ///< 1, 2, ...; 0 is none
-    int body = 0;
-    std::vector<Vec> points;
-};
-
 /// What proves two bodies, or two of their fixtures, apart at the poses of the frame. Element 0 of arrays of
 /// two is of the pair's `a`, element 1 of its `b`; each in the coordinates of its own body.
 ///
@@ -89,11 +82,11 @@ struct Outline {
 ///                    proof was not found
 ///   remembered-edge  an edge of one fixture, kept by the      owner, normal, edge, opposite
 ///                    contact: all of the other lies beyond
-///   edge-line        an edge of the owner's envelope at a     owner, normal, edge, opposite, hulls,
-///                    level, and the nearest corner of the     envelopes
+///   edge-line        an edge of the owner's envelope at a     owner, normal, edge, opposite
+///                    level, and the nearest corner of the
 ///                    other's
-///   direction        a direction, and both supports           owner, normal, supports, hulls
-///   disks            two bounding disks                       centres, radii, hulls
+///   direction        a direction, and both supports           owner, normal, supports
+///   disks            two bounding disks                       centres, radii
 struct Proof {
     std::string kind = "none";
     int contacts = 1;            ///< how many contacts of the pair this proof serves
@@ -105,7 +98,6 @@ struct Proof {
     std::array<Vec, 2> supports; ///< the vertices farthest along the direction
     std::array<Vec, 2> centres;
     std::array<float, 2> radii = {0.0f, 0.0f};
-    std::array<int, 2> hulls = {0, 0}, envelopes = {0, 0}; ///< ids of Outlines
 };
 
 /// Two bodies with a contact (their fixtures' boxes overlap). a < b.
@@ -142,7 +134,6 @@ struct Frame {
     std::vector<Box> boxes;
     std::vector<Joint> joints;
     std::vector<Contact> touching;
-    std::vector<Outline> outlines;
     std::vector<Pair> pairs; ///< by a, then b
     std::vector<Event> events;
 };

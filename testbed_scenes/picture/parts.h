@@ -35,8 +35,7 @@ constexpr Colour kBox = {0.9, 0.3, 0.9};
 // Ours: what stands out against those.
 constexpr Colour kSensor = {0.85, 0.8, 0.45};
 constexpr Colour kCertificate = {0.25, 0.85, 1.0};
-constexpr Colour kHull = {0.93, 0.93, 0.93};
-constexpr Colour kEnvelope = {0.72, 0.6, 1.0};
+constexpr Colour kDisk = {0.93, 0.93, 0.93};
 constexpr Colour kHandedOver = {1.0, 0.6, 0.15};
 constexpr Colour kEvent = {0.78, 1.0, 0.3};
 constexpr Colour kContact = {1.0, 0.35, 0.3};
@@ -95,8 +94,8 @@ const shown::Proof *WeakestProof(const shown::Pair &pair);
 std::vector<Explained> Explain(const WorldView &world, const PictureOptions &options,
                                const Rectangle &region);
 
-/// Hulls and envelopes that proofs of pairs (of the bodies in focus, if any) use, each once.
-void DrawOutlines(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
+/// The disks of bodies in pairs (of the bodies in focus, if any), which a kinetic world has.
+void DrawDisks(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
 /// Every proof as a short stroke across its gap, with its edge; with bodies in focus those of pairs that
 /// touch elsewhere.
 void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);

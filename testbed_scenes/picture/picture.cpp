@@ -157,12 +157,8 @@ private:
         }
         if (m_options.layers.slack && !kinds.empty())
             AddScale();
-        if (m_options.layers.hulls)
-            AddLine(m_kinetic ? "disk of a body" : "hull",
-                    {style::kHull, 1.2 * m_unit, 0.9, {6.0 * m_unit, 3.0 * m_unit}});
-        if (m_options.layers.envelopes)
-            AddLine("envelope at the proof's level",
-                    {style::kEnvelope, 1.6 * m_unit, 1.0, {1.5 * m_unit, 3.5 * m_unit}});
+        if (m_options.layers.disks)
+            AddLine("disk of a body", {style::kDisk, 1.2 * m_unit, 0.9, {6.0 * m_unit, 3.0 * m_unit}});
     }
 
     void AddOthers() {
@@ -447,7 +443,8 @@ private:
             DrawBoxes(canvas, m_world, m_unit);
         if (const std::optional<Rectangle> box = PeriodicBoxOf(m_world.Frame()))
             DrawPeriodicBox(canvas, *box, m_unit);
-        DrawOutlines(canvas, m_world, m_options, m_unit);
+        if (layers.disks)
+            DrawDisks(canvas, m_world, m_options, m_unit);
         if (layers.certificates || layers.slack)
             DrawProofs(canvas, m_world, m_options, m_unit);
         for (const Explained &one : m_explained)

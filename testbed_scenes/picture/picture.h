@@ -20,8 +20,8 @@ struct Layers {
     bool handedOver = true;   ///< pairs for which a manifold was needed
     bool contacts = true;     ///< points of the manifolds
     bool events = true;       ///< pairs to whose certificate something happened in the step
-    bool hulls = false, envelopes = false, boxes = false;
-    bool trails = false; ///< where bodies were in the frames before
+    bool boxes = false;
+    bool disks = false, trails = false; ///< of a kinetic world; where bodies were in the frames before
 };
 
 /// What pictures hold of each kind that a legend explains, and how often.

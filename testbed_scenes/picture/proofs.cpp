@@ -175,22 +175,15 @@ std::vector<Explained> Explain(const WorldView &world, const PictureOptions &opt
     return explained;
 }
 
-void DrawOutlines(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit) {
-    const Pen hull = {style::kHull, 1.1 * unit, 0.85, {6.0 * unit, 3.0 * unit}};
-    const Pen envelope = {style::kEnvelope, 1.4 * unit, 0.95, {1.5 * unit, 3.5 * unit}};
-    const auto draw = [&](std::array<int, 2> Proof::*ids, const Pen &pen) {
-        std::set<int> drawn = {0};
-        for (const Pair &pair : world.Frame().pairs)
-            for (const Proof &proof : pair.proofs)
-                for (const int id : proof.*ids)
-                    if (const shown::Outline *outline = world.FindOutline(id);
-                        IsInFocus(options, pair) && outline != nullptr && drawn.insert(id).second)
-                        canvas.Polygon(world.ToWorld(outline->body, outline->points), {}, pen);
-    };
-    if (options.layers.hulls)
-        draw(&Proof::hulls, hull);
-    if (options.layers.envelopes)
-        draw(&Proof::envelopes, envelope);
+void DrawDisks(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit) {
+    const Pen pen = {style::kDisk, 1.1 * unit, 0.85, {6.0 * unit, 3.0 * unit}};
+    std::set<int> bodies;
+    for (const Pair &pair : world.Frame().pairs)
+        if (IsInFocus(options, pair))
+            bodies.insert({pair.a, pair.b});
+    for (const int body : bodies)
+        canvas.Circle(ToVec2(world.PoseOf(body).position), static_cast<double>(world.FindBody(body)->disk),
+                      {}, pen);
 }
 
 void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit) {

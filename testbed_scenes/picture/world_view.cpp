@@ -22,8 +22,6 @@ WorldView::WorldView(const shown::Frame &frame) : m_frame(frame) {
     for (auto &[body, fixtures] : m_fixtures)
         std::sort(fixtures.begin(), fixtures.end(),
                   [](const Fixture *one, const Fixture *other) { return one->number < other->number; });
-    for (const shown::Outline &outline : frame.outlines)
-        m_outlines[outline.id] = &outline;
 }
 
 const Body *WorldView::FindBody(int number) const {
@@ -43,11 +41,6 @@ const std::vector<const Fixture *> &WorldView::FixturesOf(int body) const {
     static const std::vector<const Fixture *> none;
     const auto found = m_fixtures.find(body);
     return found != m_fixtures.end() ? found->second : none;
-}
-
-const shown::Outline *WorldView::FindOutline(int id) const {
-    const auto found = m_outlines.find(id);
-    return found != m_outlines.end() ? found->second : nullptr;
 }
 
 bmr_vec2 WorldView::ToWorld(int body, const Vec &point) const {

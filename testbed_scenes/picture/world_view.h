@@ -22,8 +22,6 @@ public:
     const shown::Pose &PoseOf(int body) const; ///< throws where there is no such body
     /// By their numbers.
     const std::vector<const shown::Fixture *> &FixturesOf(int body) const;
-    /// nullptr: there is none of this id.
-    const shown::Outline *FindOutline(int id) const;
 
     /// Points of a body in the world.
     bmr_vec2 ToWorld(int body, const shown::Vec &point) const;
@@ -38,7 +36,6 @@ private:
     const shown::Frame &m_frame;
     std::map<int, const shown::Body *> m_bodies;
     std::map<int, std::vector<const shown::Fixture *>> m_fixtures;
-    std::map<int, const shown::Outline *> m_outlines;
 };
 
 bmr_vec2 ToVec2(const shown::Vec &v);

@@ -162,8 +162,6 @@ b2DistanceOutput MeasureClosest(const b2Fixture &fixtureA, const b2Fixture &fixt
 /// A proof between the same two bodies, called the other way round.
 void Swap(shown::Proof *proof) {
     proof->owner = proof->kind == "disks" ? proof->owner : 1 - proof->owner;
-    for (auto *two : {&proof->hulls, &proof->envelopes})
-        std::swap((*two)[0], (*two)[1]);
     std::swap(proof->supports[0], proof->supports[1]);
     std::swap(proof->centres[0], proof->centres[1]);
     std::swap(proof->radii[0], proof->radii[1]);
@@ -192,7 +190,6 @@ shown::Frame FrameMaker::Take(const b2World &world) {
     frame.scene = m_scene;
     frame.program = PluginName();
     frame.step = m_step;
-    m_outlines.clear();
     AddBodies(world, &frame);
     AddJoints(world, &frame);
     AddTouching(world, &frame);
@@ -205,7 +202,7 @@ void FrameMaker::AddPairs(const b2World &world, shown::Frame *frame) {
     std::map<Bodies, Draft> drafts;
     for (const b2Contact *contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext())
         if (IsSolid(*contact))
-            AddContact(*contact, frame, &drafts[BodiesOf(*contact)]);
+            AddContact(*contact, &drafts[BodiesOf(*contact)]);
     for (auto &[bodies, draft] : drafts) {
         std::tie(draft.pair.a, draft.pair.b) = bodies;
         const auto handedOver = m_handedOver.find(bodies);
@@ -214,7 +211,7 @@ void FrameMaker::AddPairs(const b2World &world, shown::Frame *frame) {
     }
 }
 
-void FrameMaker::AddContact(const b2Contact &contact, shown::Frame *frame, Draft *draft) {
+void FrameMaker::AddContact(const b2Contact &contact, Draft *draft) {
     shown::Pair &pair = draft->pair;
     ++pair.contacts;
     pair.touching += contact.IsTouching() ? 1 : 0;
@@ -231,10 +228,10 @@ void FrameMaker::AddContact(const b2Contact &contact, shown::Frame *frame, Draft
         pair.closest = {ToVec(closest.pointA), ToVec(closest.pointB)};
     }
     if (ShowsProofs())
-        AddProof(contact, swapped, frame, draft);
+        AddProof(contact, swapped, draft);
 }
 
-void FrameMaker::AddProof(const b2Contact &contact, bool swapped, shown::Frame *frame, Draft *draft) {
+void FrameMaker::AddProof(const b2Contact &contact, bool swapped, Draft *draft) {
     shown::Pair &pair = draft->pair;
     ShownProof shown = ShowProof(contact);
     shown::Proof &proof = shown.proof;
@@ -251,33 +248,7 @@ void FrameMaker::AddProof(const b2Contact &contact, bool swapped, shown::Frame *
     }
     if (swapped)
         Swap(&proof);
-    if (shown.structure != nullptr)
-        NameHulls(contact, swapped, frame, &proof);
     pair.proofs.push_back(std::move(proof));
-}
-
-void FrameMaker::NameHulls(const b2Contact &contact, bool swapped, shown::Frame *frame, shown::Proof *proof) {
-    const auto [first, second] = BodiesOf(contact);
-    for (const bool envelope : {false, true}) {
-        std::array<std::vector<Vec>, 2> hulls = ShowHulls(contact, envelope);
-        if (swapped)
-            std::swap(hulls[0], hulls[1]);
-        (envelope ? proof->envelopes : proof->hulls) = {NameOutline(first, hulls[0], frame),
-                                                        NameOutline(second, hulls[1], frame)};
-    }
-}
-
-int FrameMaker::NameOutline(int body, const std::vector<Vec> &points, shown::Frame *frame) {
-    if (points.empty())
-        return 0;
-    std::vector<float> key;
-    for (const Vec &point : points)
-        key.insert(key.end(), {point.x, point.y});
-    const auto [place, isNew] =
-        m_outlines.emplace(std::pair(body, std::move(key)), static_cast<int>(m_outlines.size()) + 1);
-    if (isNew)
-        frame->outlines.push_back({place->second, body, points});
-    return place->second;
 }
 
 } // namespace testbed

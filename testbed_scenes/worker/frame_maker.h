@@ -44,15 +44,12 @@ private:
     void OnAnswer(const b2Contact &contact, bool handedOver) override;
 
     void AddPairs(const b2World &world, shown::Frame *frame);
-    void AddContact(const b2Contact &contact, shown::Frame *frame, Draft *draft);
-    void AddProof(const b2Contact &contact, bool swapped, shown::Frame *frame, Draft *draft);
-    void NameHulls(const b2Contact &contact, bool swapped, shown::Frame *frame, shown::Proof *proof);
-    int NameOutline(int body, const std::vector<shown::Vec> &points, shown::Frame *frame);
+    void AddContact(const b2Contact &contact, Draft *draft);
+    void AddProof(const b2Contact &contact, bool swapped, Draft *draft);
 
     const FrameRange m_range;
     const std::string m_scene;
     int m_step = 0;
-    std::map<std::pair<int, std::vector<float>>, int> m_outlines; ///< ids of the frame's, by their points
     // Of this step.
     std::map<Bodies, int> m_handedOver;
     std::vector<shown::Event> m_events;

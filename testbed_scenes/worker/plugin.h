@@ -2,9 +2,7 @@
 #ifndef BOOMERANG_TESTBED_PLUGIN_H
 #define BOOMERANG_TESTBED_PLUGIN_H
 
-#include <array>
 #include <string>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -39,17 +37,13 @@ const char *PluginName();
 nlohmann::json PluginStatistics();
 
 /// What proves the two fixtures of a contact apart, as the plugin shows it. Element 0 is of the contact's
-/// fixture A; ids of outlines are 0.
+/// fixture A.
 struct ShownProof {
     shown::Proof proof;
     const void *structure = nullptr; ///< the same for contacts that share the proof; nullptr: this one's own
 };
 /// Of kind none without the plugin. Between steps.
 ShownProof ShowProof(const b2Contact &contact);
-/// The hulls (`envelope` false) of a proof just shown of this contact, or the envelopes at its level; empty
-/// where it has none.
-std::array<std::vector<shown::Vec>, 2> ShowHulls(const b2Contact &contact, bool envelope);
-
 } // namespace testbed
 
 #endif

@@ -13,8 +13,4 @@ nlohmann::json PluginStatistics() {
 ShownProof ShowProof(const b2Contact &) {
     return {};
 }
-std::array<std::vector<shown::Vec>, 2> ShowHulls(const b2Contact &, bool) {
-    return {};
-}
-
 } // namespace testbed

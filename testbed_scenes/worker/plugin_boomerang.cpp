@@ -89,16 +89,4 @@ ShownProof ShowProof(const b2Contact &contact) {
     return shown;
 }
 
-std::array<std::vector<shown::Vec>, 2> ShowHulls(const b2Contact &contact, bool envelope) {
-    const bmr::internal::Proof found = bmr::internal::Inspect(contact);
-    std::array<std::vector<shown::Vec>, 2> hulls;
-    if (envelope && std::strcmp(found.kind, "edge-line") != 0)
-        return hulls;
-    const int32_t level = envelope ? found.level : bmr::internal::kHullLevel;
-    for (const int side : {0, 1})
-        for (const b2Vec2 &vertex : bmr::internal::InspectHull(contact, found, side, level))
-            hulls[static_cast<std::size_t>(side)].push_back(VecOf(vertex));
-    return hulls;
-}
-
 } // namespace testbed

@@ -118,11 +118,11 @@ void WorldFrames::AddBodies(const WorldRun &run) {
         body.type = "dynamic";
         body.pose = {ToVec(bmr_sub(state.pose.position, Wrapped(state.pose.position))),
                      static_cast<float>(state.pose.c), static_cast<float>(state.pose.s)};
+        body.disk = static_cast<float>(state.radius);
         m_frame.bodies.push_back(body);
         const Vec low = ToVec(state.cell_low), high = ToVec(state.cell_high);
         if (low.x < high.x)
             m_frame.boxes.push_back({low.x, low.y, high.x, high.y});
-        AddDisk(body.number, state.radius);
         m_frame.fixtures.push_back(PolygonOf(body.number, m_setup.bodies[i].polygon->Vertices()));
     }
     AddWalls();
@@ -163,22 +163,7 @@ shown::Proof WorldFrames::ProofOf(const bmr_world_pair &pair, const WorldRun &ru
                    b = bmr_add(Wrapped(run.StateOf(pair.b).pose.position), pair.image), off = bmr_sub(b, a);
     if (std::hypot(off.x, off.y) > 0.5 * (m_setup.high.x - m_setup.low.x))
         return {};
-    shown::Proof proof = pair.watch == BMR_WATCH_DISKS ? DisksProof(pair, run) : LineProof(pair, run);
-    proof.hulls = {static_cast<int>(pair.a) + 1, static_cast<int>(pair.b) + 1};
-    return proof;
-}
-
-/// Disks as polygons, for what draws outlines.
-void WorldFrames::AddDisk(int body, double radius) {
-    constexpr int kCorners = 48;
-    shown::Outline disk;
-    disk.id = body + 1;
-    disk.body = body;
-    for (int i = 0; i < kCorners; ++i) {
-        const double angle = 2.0 * 3.14159265358979323846 * i / kCorners;
-        disk.points.push_back(ToVec(bmr_vec2_make(radius * std::cos(angle), radius * std::sin(angle))));
-    }
-    m_frame.outlines.push_back(disk);
+    return pair.watch == BMR_WATCH_DISKS ? DisksProof(pair, run) : LineProof(pair, run);
 }
 
 /// Where a pair is to be shown: between the two.

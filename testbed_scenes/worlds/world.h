@@ -200,7 +200,6 @@ std::string NameOf(const bmr_response &response);
 /// A kinetic world as frames for pictures, one at each look. Of a frame
 ///   - bodies are the world's, and four static ones after them, the walls; in a periodic box they are taken
 ///     back into it;
-///   - the hulls that proofs name are the bodies' disks;
 ///   - boxes are the cells that bodies live in;
 ///   - pairs are those of two bodies that the world watches. Those whose bodies are neighbours across a side
 ///     of a periodic box have no proof here, for nothing can be drawn between them;
@@ -226,7 +225,6 @@ private:
     bmr_pose OtherPose(const bmr_world_pair &pair, const WorldRun &run) const;
     shown::Proof DisksProof(const bmr_world_pair &pair, const WorldRun &run) const;
     shown::Proof LineProof(const bmr_world_pair &pair, const WorldRun &run) const;
-    void AddDisk(int body, double radius);
     shown::Proof ProofOf(const bmr_world_pair &pair, const WorldRun &run) const;
 
     const WorldSetup &m_setup;

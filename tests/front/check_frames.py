@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Checks what two workers printed for --frames: check_frames.py STOCK PLUGIN...
 
-The same worlds; no proof claims more than the distance that was measured; every named outline is there.
+The same worlds; no proof claims more than the distance that was measured.
 The control: one slack is raised by a tenth of a millimetre more than the distance, and must be refused.
 """
 import json
@@ -20,7 +20,6 @@ def check(plugin, stock):
         assert frame["program"] == "plugin"
         for part in ("step", "bodies", "fixtures", "joints", "touching"):
             assert frame[part] == other[part], f"step {frame['step']}: other {part} than stock"
-        outlines = {outline["id"] for outline in frame["outlines"]}
         for pair in frame["pairs"]:
             named = f"step {frame['step']}, bodies {pair['a']} and {pair['b']}"
             slack = min((proof["slack"] for proof in pair["proofs"]), default=0)
@@ -29,8 +28,6 @@ def check(plugin, stock):
             assert contacts == pair["polygon_contacts"], f"{named}: not one proof for each contact"
             for proof in pair["proofs"]:
                 proofs += proof["kind"] != "none"
-                for outline in proof["hulls"] + proof["envelopes"]:
-                    assert outline == 0 or outline in outlines, f"{named}: there is no outline {outline}"
     assert proofs > 0, "no proofs"
 
 

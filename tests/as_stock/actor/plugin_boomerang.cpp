@@ -39,12 +39,8 @@ bool Install() {
 }
 
 void Look(b2World &world) {
-    for (const b2Contact *contact = world.GetContactList(); contact != nullptr;
-         contact = contact->GetNext()) {
-        const bmr::internal::Proof proof = bmr::internal::Inspect(*contact);
-        bmr::internal::InspectHull(*contact, proof, 0, 0);
-        bmr::internal::InspectHull(*contact, proof, 1, bmr::internal::kHullLevel);
-    }
+    for (const b2Contact *contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext())
+        bmr::internal::Inspect(*contact);
 }
 
 void CreateAnySize(b2Body *body, const b2FixtureDef &given, const AnySize &size) {
