@@ -66,13 +66,6 @@ void AddSceneOptions(CLI::App &app, WorkerOptions &worker) {
         ->check(Whole(0, UINT64_MAX));
 }
 
-void AddPluginSwitch(CLI::App &app, bool &plugin) {
-    app.add_option_function<std::string>(
-           "--plugin", [&plugin](const std::string &value) { plugin = value == "on"; },
-           "With the plugin, or stock Box2D (default: on)")
-        ->check(CLI::IsMember({"on", "off"}));
-}
-
 namespace {
 
 const std::vector<std::string> kPluginStructures = {"lazy-compass", "lazy-dudley", "free-direction",
@@ -98,35 +91,6 @@ int List(const Workers &workers) {
                             Style::Faint, colour)
                   << '\n';
     }
-    return kExitOk;
-}
-
-// --- run ---
-
-struct RunCommand {
-    std::string scene;
-    std::optional<int64_t> steps;
-    bool plugin = true;
-    bool hash = false;
-    bool time = false;
-    WorkerOptions worker;
-};
-
-int Execute(const RunCommand &command, const Workers &workers) {
-    const SceneInfo scene = FindScene(workers.List(), command.scene);
-    WorkerRequest request;
-    request.side = command.plugin ? Side::Plugin : StockFor(scene);
-    request.scene = scene.name;
-    request.steps = command.steps.value_or(scene.steps);
-    request.mode = command.hash ? "hash" : command.time ? "time" : "count";
-    Progress progress(1, command.hash);
-    progress.Show(scene.name);
-    const nlohmann::json summary = workers.Run(request, command.worker, [&command](const std::string &line) {
-        if (command.hash)
-            std::cout << line << '\n';
-    });
-    progress.Clear();
-    std::cout << summary.dump(2) << '\n';
     return kExitOk;
 }
 
@@ -240,20 +204,6 @@ void AddList(CLI::App &app, Program &program) {
     app.add_subcommand("list", "Show the scenes")->callback([&program] {
         program.status = List(Workers(program.directory));
     });
-}
-
-void AddRun(CLI::App &app, Program &program) {
-    const auto command = std::make_shared<RunCommand>();
-    CLI::App *run = app.add_subcommand("run", "Run one scene on one side");
-    run->add_option("scene", command->scene, "A name that `list` shows")->required();
-    run->add_option("--steps", command->steps, "Steps to simulate (default: the scene's own)")
-        ->check(Whole(1));
-    AddPluginSwitch(*run, command->plugin);
-    AddStructureOption(*run, command->worker, kPluginStructures);
-    CLI::Option *hash = run->add_flag("--hash", command->hash, "Print the hashes of every step");
-    run->add_flag("--time", command->time, "Time the steps instead of counting calls")->excludes(hash);
-    AddSceneOptions(*run, command->worker);
-    run->callback([command, &program] { program.status = Execute(*command, Workers(program.directory)); });
 }
 
 void AddCompare(CLI::App &app, Program &program) {

@@ -31,7 +31,6 @@ struct Program {
 // Each adds a command with its options. Its callback does the job and sets the exit code; errors are thrown
 // (UsageError, WorkerError, std::runtime_error).
 void AddList(CLI::App &app, Program &program);
-void AddRun(CLI::App &app, Program &program);
 void AddCompare(CLI::App &app, Program &program);
 void AddRender(CLI::App &app, Program &program);
 void AddFigures(CLI::App &app, Program &program);
@@ -41,7 +40,6 @@ void AddWorld(CLI::App &app, Program &program);
 // Options of several commands.
 void AddStructureOption(CLI::App &app, WorkerOptions &worker, const std::vector<std::string> &structures);
 void AddSceneOptions(CLI::App &app, WorkerOptions &worker);
-void AddPluginSwitch(CLI::App &app, bool &plugin);
 
 /// "; the nearest is "planks"", or nothing where none is near.
 std::string NearestClause(const std::string &word, const std::vector<std::string> &candidates);

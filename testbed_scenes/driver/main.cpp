@@ -23,7 +23,7 @@ int Answer(int argc, char **argv) {
     app.add_option("--workers", program.directory,
                    "Directory of boomerang-scene and boomerang-scene-plugin (default: this program's own)")
         ->check(CLI::ExistingDirectory);
-    for (const auto add : {AddList, AddRun, AddCompare, AddRender, AddFigures, AddEvents, AddWorld})
+    for (const auto add : {AddList, AddCompare, AddRender, AddFigures, AddEvents, AddWorld})
         add(app, program);
     for (CLI::App *subcommand : app.get_subcommands({})) {
         const std::string own = subcommand->get_footer();

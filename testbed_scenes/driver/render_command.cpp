@@ -72,7 +72,11 @@ void AddRender(CLI::App &app, Program &program) {
     AddPictureOptions(*render, command.pictures, nullptr);
     render->add_flag("--quiet", command.quiet, "No progress, and no word of what was written");
     render->footer(std::string(kLayersHelp) + "\n\n" + kExamples);
-    AddPluginSwitch(*render, command.plugin);
+    render
+        ->add_option_function<std::string>(
+            "--plugin", [&command](const std::string &value) { command.plugin = value == "on"; },
+            "With the plugin, or stock Box2D (default: on)")
+        ->check(CLI::IsMember({"on", "off"}));
     AddStructureOption(*render, command.worker, kShownStructures);
     AddSceneOptions(*render, command.worker);
     render->callback([kept, &program] { program.status = Execute(*kept, Workers(program.directory)); });

@@ -52,25 +52,6 @@ clean() {
     fi
 }
 
-# json_get FILE KEY…: a value of a JSON file, by means of cmake, which is here if this was built.
-json_get() {
-    local file=$1 path=
-    shift
-    for key in "$@"; do path="$path \"$key\""; done
-    cat >"$scratch/get.cmake" <<CMAKE
-file(READ "$file" text)
-string(JSON value GET "\${text}" $path)
-execute_process(COMMAND "\${CMAKE_COMMAND}" -E echo "\${value}")
-CMAKE
-    cmake -P "$scratch/get.cmake" 2>>"$scratch/err"
-}
-
-json_number() {
-    local got
-    got=$(json_get "$@") || { fail "no ${*:2} in $1"; return; }
-    [[ $got =~ ^-?[0-9] ]] || fail "${*:2} is \"$got\", no number"
-}
-
 # Every function test_…, in the order of their names.
 run_tests() {
     local program test before

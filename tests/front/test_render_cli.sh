@@ -77,7 +77,6 @@ test_scenes_that_stock_does_not_have() {
     draw "$scratch/on.svg" any-stack --step 5 --bare --width 400
     draw "$scratch/off.svg" any-stack --step 5 --bare --width 400 --plugin off
     ! same_svg "$scratch/on.svg" "$scratch/off.svg" || fail "the picture does not say that the plugin was off"
-    expect 0 run any-gas --steps 3 --plugin off
     draw "$scratch/caves.svg" caves --size 6 --step 2
     grep -q 'dasharray' "$scratch/caves.svg" || fail "no dashed lines, which are seams alone"
 }

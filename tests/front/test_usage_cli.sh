@@ -14,7 +14,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 commands() { "$testbed" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p'; }
 test_every_command_helps_and_refuses() {
     local command
-    [ "$(commands | wc -l)" -ge 7 ] || fail "commands are not found in --help"
+    [ "$(commands | wc -l)" -ge 6 ] || fail "commands are not found in --help"
     says '^boomerang-testbed [0-9]+\.[0-9]+\.[0-9]+$' 0 --version
     for command in $(commands); do
         says 'Exit codes: 0 .* 1 .* 2 .* 3 ' 0 "$command" --help
@@ -35,7 +35,7 @@ test_what_makes_no_sense_is_refused() {
         err_has "$message"
         clean
     done <<'WORDS'
-@a command is wanted: list, run, compare,
+@a command is wanted: list, compare, render,
 --nope@there is no option "--nope" \(
 rendr@no command "rendr"; the nearest is "render"
 foo@no command "foo" \(boomerang-testbed --help
@@ -48,16 +48,16 @@ compare pyramid --steps many@no whole number
 compare pyramid --repeat 0@--repeat
 compare pyramid --structure lazy@--structure
 compare planks --repeat 2 --no-time@compare: --repeat excludes --no-time$
-run@
-run planks tiles@run: .*not expected: tiles \(boomerang-testbed run --help
-run plancks@no scene "plancks"; the nearest is "planks"
-run asteroid@no scene "asteroid"; the nearest is "asteroids"
-run xyzzy@no scene "xyzzy" \(boomerang-testbed list shows all\)
-run planks --size 3.5@"3\.5" is no whole number from 1 to
-run planks --seed -1@--seed: "-1" is no whole number from 0
-run planks --seed 18446744073709551616@--seed: "18446744073709551616" is no
-run planks --structure lazy-compas@lazy-compas not in .lazy-compass,.*; the nearest is "lazy-compass"
-run planks --plugin maybe@maybe not in .on,off.$
+render@
+list tiles@list: .*not expected: tiles \(boomerang-testbed list --help
+compare plancks@no scene "plancks"; the nearest is "planks"
+compare asteroid@no scene "asteroid"; the nearest is "asteroids"
+compare xyzzy@no scene "xyzzy" \(boomerang-testbed list shows all\)
+compare planks --size 3.5@"3\.5" is no whole number from 1 to
+compare planks --seed -1@--seed: "-1" is no whole number from 0
+compare planks --seed 18446744073709551616@--seed: "18446744073709551616" is no
+compare planks --structure lazy-compas@lazy-compas not in .lazy-compass,.*; the nearest is "lazy-compass"
+render planks --step 1 -o x.png --plugin maybe@maybe not in .on,off.$
 render planks --widht=400 -o x.png@render has no option "--widht"; the nearest is "--width"
 render planks --step 4 -q -o x.png@render has no option "-q"
 render planks --step 1 --width 100 -o x.png@^boomerang-testbed: render: --width: "100" is no whole number from 200 to 10000
@@ -68,7 +68,7 @@ render planks --step 1@render: --output is required
 render planks --step 1@^    --output: The picture
 events circle@no motion "circle" \(--list
 WORDS
-    expect 0 run pyramid --size 3 --steps 1 --seed 18446744073709551615
+    expect 0 compare pyramid --size 3 --steps 1 --no-time --seed 18446744073709551615
 }
 
 count=(events line --structures lazy-compass --seeds 40 --n 16 --ratios 8 --quiet --csv)
@@ -103,7 +103,7 @@ test_help_builds_nothing() {
     : >"$scratch/err"
     BMR_BUILD_DIR=$scratch/build "$root/testbed_scenes/run" --help >"$scratch/out" 2>&1 || fail "it failed"
     out_has './testbed_scenes/run compare needles'
-    out_has 'The commands of boomerang-testbed: list, run'
+    out_has 'The commands of boomerang-testbed: list, compare'
     local command
     for command in 'compare --help' 'reproduce --help' 'try -h' 'playground --help' '--nope --help'; do
         # shellcheck disable=SC2086
