@@ -323,29 +323,6 @@ int play_crowd_kick(play_page *page, double x, double y, double vx, double vy) {
                        : BMR_ERROR_OUT_OF_RANGE;
 }
 
-double play_crowd_number(const play_page *page, int which) {
-    if (!page->crowd)
-        return 0.0;
-    const bmr_world_counts counts = bmr_world_get_counts(page->crowd->world);
-    double events = 0.0;
-    for (int kind = 0; kind < BMR_WORLD_EVENT_KIND_COUNT; ++kind)
-        events += (double)counts.events[kind];
-    switch (which) {
-    case 0:
-        return bmr_world_time(page->crowd->world);
-    case 1:
-        return (double)page->crowd->contacts;
-    case 2:
-        return (double)counts.pairs;
-    case 3:
-        return (double)counts.near;
-    case 4:
-        return events;
-    default:
-        return 0.0;
-    }
-}
-
 // ---- pictures and words ----
 
 static bool has_picture(const play_page *page, int picture) {

@@ -90,8 +90,6 @@ int play_latest(const play_page *page);
 int play_use_crowd(play_page *page, int structure, int bodies, int corners, double packing, double seed);
 int play_crowd_go(play_page *page, double time, double seconds);
 int play_crowd_kick(play_page *page, double x, double y, double vx, double vy);
-/// 0: time, 1: contacts, 2: candidates, 3: pairs with a proof, 4: events.
-double play_crowd_number(const play_page *page, int which);
 
 // ---- pictures and words ----
 

@@ -169,7 +169,6 @@ int Execute(CompareCommand &command, const Workers &workers) {
 struct FiguresCommand {
     std::vector<std::string> names; ///< none: all
     std::string directory = ".";
-    std::string format = "svg";
     bool list = false;
 };
 
@@ -189,7 +188,7 @@ int Execute(const FiguresCommand &command) {
     if (error)
         throw std::runtime_error("cannot make the directory " + command.directory + ": " + error.message());
     for (const FigureInfo &figure : wanted.empty() ? figures : wanted) {
-        const auto path = std::filesystem::path(command.directory) / (figure.name + ("." + command.format));
+        const auto path = std::filesystem::path(command.directory) / (std::string(figure.name) + ".svg");
         Canvas canvas(path, figure.width, figure.height);
         figure.draw(canvas);
         canvas.Write();
@@ -241,9 +240,6 @@ void AddFigures(CLI::App &app, Program &program) {
         "figures", "Draw the figures of the paper, and those that explain it, from the real structures");
     figures->add_option("names", command->names, "Figures that --list shows (default: all)");
     figures->add_option("-o,--output", command->directory, "The directory to write into; made if missing")
-        ->capture_default_str();
-    figures->add_option("--format", command->format, "svg, png or pdf")
-        ->check(CLI::IsMember({"svg", "png", "pdf"}))
         ->capture_default_str();
     figures->add_flag("--list", command->list, "Show their names and draw nothing");
     figures->callback([command, &program] { program.status = Execute(*command); });

@@ -36,8 +36,7 @@ struct EventsCommand {
 
 // --- what is asked for ---
 
-const std::vector<std::string> kGroups = {"all",    "recommended", "controls", "rivals",
-                                          "points", "translation", "rigid"};
+const std::vector<std::string> kGroups = {"points", "translation", "rigid", "rivals"};
 
 std::vector<std::string> MotionNames() {
     return NamesOf(BMR_FAMILY_COUNT, [](size_t i) { return bmr_family_name(static_cast<bmr_family>(i)); });
@@ -53,9 +52,7 @@ std::vector<const bmr_kds_info *> StructuresFor(const std::string &word) {
     for (size_t i = 0; i < bmr_kds_count(); ++i) {
         const bmr_kds_info *info = bmr_kds_at(i);
         const bool rival = info->role == BMR_KDS_RIVAL, point = info->domain == BMR_KDS_POINT;
-        if (word == info->name || word == "all" || (word == "rivals" && rival) ||
-            (word == "recommended" && info->role == BMR_KDS_RECOMMENDED) ||
-            (word == "controls" && info->role == BMR_KDS_CONTROL) || (word == "points" && point && !rival) ||
+        if (word == info->name || (word == "rivals" && rival) || (word == "points" && point && !rival) ||
             (word == "translation" && info->domain == BMR_KDS_TRANSLATION) ||
             (word == "rigid" && info->domain == BMR_KDS_RIGID && !rival))
             found.push_back(info);

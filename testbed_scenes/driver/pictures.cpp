@@ -33,18 +33,18 @@ std::string NumberedPath(const std::string &output, int64_t index) {
     return (path.parent_path() / (path.stem().string() + number + path.extension().string())).string();
 }
 
-void CheckBodies(const PictureOptions &options, const shown::Frame &frame) {
-    for (const int number : options.bodies) {
-        int most = -1;
-        bool isThere = false;
-        for (const shown::Body &body : frame.bodies) {
-            most = std::max(most, body.number);
-            isThere = isThere || body.number == number;
-        }
-        if (!isThere)
-            throw UsageError("--focus: there is no body " + std::to_string(number) + " after step " +
-                             std::to_string(frame.step) + "; the largest number is " + std::to_string(most));
+void CheckBody(const PictureOptions &options, const shown::Frame &frame) {
+    if (!options.body)
+        return;
+    int most = -1;
+    bool isThere = false;
+    for (const shown::Body &body : frame.bodies) {
+        most = std::max(most, body.number);
+        isThere = isThere || body.number == options.body;
     }
+    if (!isThere)
+        throw UsageError("--focus: there is no body " + std::to_string(*options.body) + " after step " +
+                         std::to_string(frame.step) + "; the largest number is " + std::to_string(most));
 }
 
 Layers LayersOf(const PictureRequest &request, PictureSource source) {
@@ -88,11 +88,10 @@ void AddPictureOptions(CLI::App &app, PictureRequest &request, CLI::Option *outp
                 ->excludes(step));
     step->excludes(frames);
     add(app.add_option("--focus", request.focus,
-                       "BODY: it and its pairs; A,B: two bodies; or X,Y,WIDTH,HEIGHT, a rectangle of the "
+                       "BODY: it and its pairs; or X,Y,WIDTH,HEIGHT, a rectangle of the "
                        "world from its lower left corner")
             ->check([](const std::string &text) {
-                return text.empty() ? std::string("a body, two bodies A,B or a rectangle is wanted")
-                                    : std::string();
+                return text.empty() ? std::string("a body or a rectangle is wanted") : std::string();
             }));
     add(app.add_option("--width", request.width, "Width in pixels (points in an SVG or PDF)")
             ->check(Whole(200, 10000))
@@ -130,19 +129,16 @@ void PictureSeries::ReadFocus() {
     const std::string &text = m_request.focus;
     if (text.empty())
         return;
-    const std::string wanted = "a body, two bodies A,B or a rectangle X,Y,WIDTH,HEIGHT is wanted";
+    const std::string wanted = "a body or a rectangle X,Y,WIDTH,HEIGHT is wanted";
     const std::vector<double> numbers = NumbersIn(text, ',', -1e9, 1e9, "--focus", "number; " + wanted);
     const size_t count = numbers.size();
     if (count == 4 && numbers[2] > 0.0 && numbers[3] > 0.0) {
         m_options.region = {numbers[0], numbers[1], numbers[0] + numbers[2], numbers[1] + numbers[3]};
         return;
     }
-    for (const double number : numbers)
-        if (count > 2 || number < 0.0 || number != std::floor(number))
-            throw UsageError("--focus: " + wanted + ", not \"" + text + "\"");
-    if (count == 2 && numbers[0] == numbers[1])
-        throw UsageError("--focus: two different bodies are wanted, not \"" + text + "\"");
-    m_options.bodies.assign(numbers.begin(), numbers.end());
+    if (count != 1 || numbers[0] < 0.0 || numbers[0] != std::floor(numbers[0]))
+        throw UsageError("--focus: " + wanted + ", not \"" + text + "\"");
+    m_options.body = static_cast<int>(numbers[0]);
 }
 
 void PictureSeries::ReadRange() {
@@ -176,18 +172,17 @@ void PictureSeries::Add(const shown::Frame &frame) {
         AddTrails(frame);
     if (frame.step < m_first || frame.step > m_last || (frame.step - m_first) % m_every != 0)
         return;
-    CheckBodies(m_options, frame);
-    // A series holds still, or follows its bodies with a frame of one size.
+    CheckBody(m_options, frame);
+    // A series holds still, or follows its body with a frame of one size.
     const std::optional<Rectangle> box = PeriodicBoxOf(frame);
-    const bool whole = box && m_options.bodies.empty() && !m_options.region;
+    const bool whole = box && !m_options.body && !m_options.region;
     const Rectangle region = whole ? Widened(*box, kAroundBox) : RegionOf(frame, m_options);
     if (!m_shape)
         m_shape = region;
     PictureOptions these = m_options;
-    const double x =
-        m_options.bodies.empty() ? m_shape->left : 0.5 * (region.left + region.right - m_shape->Width());
+    const double x = m_options.body ? 0.5 * (region.left + region.right - m_shape->Width()) : m_shape->left;
     const double y =
-        m_options.bodies.empty() ? m_shape->bottom : 0.5 * (region.bottom + region.top - m_shape->Height());
+        m_options.body ? 0.5 * (region.bottom + region.top - m_shape->Height()) : m_shape->bottom;
     these.region = {x, y, x + m_shape->Width(), y + m_shape->Height()};
     if (IsNumbered())
         AddContents(frame, these, &m_contents);

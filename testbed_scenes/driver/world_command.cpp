@@ -25,21 +25,19 @@ struct WorldCommand {
     bool check = false, audit = false, quiet = false, list = false;
     std::string growth;      ///< N1,N2,..
     PictureRequest pictures; ///< without an output: none
-    double rate = 30.0;      ///< steps for each unit of time
 };
 
 // --- what may be chosen, and what makes no sense ---
 
-constexpr char kNotes[] =
-    "Lengths are in radii of the smallest body's disk. Polygons have the density 1, "
-    "and their origins at their "
-    "centres of mass.\nThe answer is elastic, pass (through each other), or a "
-    "number: the restitution, "
-    "from 0 to 1.\n--zeno: what becomes of infinitely many contacts in finite time: an "
-    "error that says so, or slow "
-    "ones are answered elastically.\n--picture: the run after a step, or a series (a step "
-    "is 1 / --rate of a unit of time).\n\nExample:\n"
-    "  boomerang-testbed world gas --picture gas.png --frames 0:600:10 --all\n\n";
+constexpr char kNotes[] = "Lengths are in radii of the smallest body's disk. Polygons have the density 1, "
+                          "and their origins at their "
+                          "centres of mass.\nThe answer is elastic, pass (through each other), or a "
+                          "number: the restitution, "
+                          "from 0 to 1.\n--zeno: what becomes of infinitely many contacts in finite time: an "
+                          "error that says so, or slow "
+                          "ones are answered elastically.\n--picture: the run after a step, or a series (30 "
+                          "steps are a unit of time).\n\nExample:\n"
+                          "  boomerang-testbed world gas --picture gas.png --frames 0:600:10 --all\n\n";
 
 /// Takes the numbers from `least` (or above it) to `most`; CLI11's own range lets NaN pass.
 CLI::Validator Within(double least, double most, bool above = false) {
@@ -148,8 +146,8 @@ void Print(const std::vector<WorldFigures> &runs, bool colour) {
     table.Print(std::cout, colour);
 }
 
-/// A run of more takes hours and gigabytes.
-constexpr double kMostSteps = 20000.0;
+/// Steps of pictures in a unit of time. A run of more than kMostSteps takes hours and gigabytes.
+constexpr double kStepsAUnit = 30.0, kMostSteps = 20000.0;
 
 std::string Scientific(double number) {
     char text[32];
@@ -158,8 +156,8 @@ std::string Scientific(double number) {
 }
 
 /// Steps after the first frame.
-int StepsOf(const WorldCommand &command, const WorldChoice &choice) {
-    return std::max(1, static_cast<int>(std::lround(choice.seconds * command.rate)));
+int StepsOf(const WorldChoice &choice) {
+    return std::max(1, static_cast<int>(std::lround(choice.seconds * kStepsAUnit)));
 }
 
 void ListWorlds() {
@@ -198,9 +196,7 @@ void PrintEvents(const WorldFigures &figures, bool colour) {
 
 void PrintConservation(const WorldFigures &figures) {
     std::cout << "conserved:  ";
-    if (figures.choice.speed == 0.0)
-        std::cout << "nothing, for nobody began to move";
-    else if (figures.energy)
+    if (figures.energy)
         std::cout << "energy to " << Scientific(*figures.energy) << " of it";
     else
         std::cout << "not the energy (" << Fixed(100.0 * figures.energyLeft, 2) << " % are left)";
@@ -282,7 +278,7 @@ WorldFigures RunOne(const WorldCommand &command, const WorldSetup &setup) {
     std::optional<PictureSeries> series;
     WorldFrames frames(setup);
     if (!command.pictures.output.empty()) {
-        options.slices = StepsOf(command, setup.choice);
+        options.slices = StepsOf(setup.choice);
         series.emplace(command.pictures, PictureSource::World);
         options.frames = &frames;
     }
@@ -326,12 +322,11 @@ int Execute(const WorldCommand &command) {
     }
     const WorldChoice &choice = command.choice;
     if (!command.pictures.output.empty()) {
-        if (!(command.rate > 0.0) || !(choice.seconds * command.rate < kMostSteps))
-            throw UsageError("--rate: it must be above 0, and the run must have fewer than " +
-                             General(kMostSteps) + " steps");
+        if (!(choice.seconds * kStepsAUnit < kMostSteps))
+            throw UsageError("--seconds: a run that is drawn must have fewer than " + General(kMostSteps) +
+                             " steps");
         // Before the work.
-        PictureSeries(command.pictures, PictureSource::World)
-            .CheckLast(choice.scene, StepsOf(command, choice));
+        PictureSeries(command.pictures, PictureSource::World).CheckLast(choice.scene, StepsOf(choice));
     }
     return Perform(command);
 }
@@ -367,11 +362,6 @@ void AddWorld(CLI::App &app, Program &program) {
         ->check(Within(1.0, 1e3));
     world->add_option("--density", choice.density, "The polygons' area over the box's")
         ->check(Within(0.0, 1.0, true));
-    world
-        ->add_option(
-            "--speed", choice.speed,
-            "On average, of the largest; smaller ones have the same energy (bullet: a hundredth of its own)")
-        ->check(Within(0.0, kMost));
     world->add_option("--seconds", choice.seconds, "Units of time to simulate")
         ->check(Within(0.0, kMost, true));
     read("--boundary", "walls, periodic (what leaves on one side comes in on the other) or open",
@@ -407,9 +397,6 @@ void AddWorld(CLI::App &app, Program &program) {
         "N1,N2,.."));
     CLI::Option *picture = world->add_option("--picture", command.pictures.output,
                                              "Draw the run into this file: .svg, .png or .pdf");
-    world->add_option("--rate", command.rate, "Steps of --picture in a unit of time")
-        ->needs(picture)
-        ->capture_default_str();
     AddPictureOptions(*world, command.pictures, picture);
     growth->excludes(picture);
     world->add_flag("--quiet", command.quiet, "No tables");

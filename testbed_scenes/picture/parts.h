@@ -89,14 +89,14 @@ struct Explained {
 /// The proof that bounds a pair's slack; nullptr if one of its contacts has none, or with stock.
 const shown::Proof *WeakestProof(const shown::Pair &pair);
 
-/// The pairs of the bodies in focus that are proved apart, do not touch (two bodies' own in any case) and
-/// have their gap in the region: the closest first, and not more than a picture can show.
+/// The pairs of the body in focus that are proved apart, do not touch and have their gap in the region: the
+/// closest first, and not more than a picture can show.
 std::vector<Explained> Explain(const WorldView &world, const PictureOptions &options,
                                const Rectangle &region);
 
-/// The disks of bodies in pairs (of the bodies in focus, if any), which a kinetic world has.
+/// The disks of bodies in pairs (of the body in focus, if any), which a kinetic world has.
 void DrawDisks(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
-/// Every proof as a short stroke across its gap, with its edge; with bodies in focus those of pairs that
+/// Every proof as a short stroke across its gap, with its edge; with a body in focus those of pairs that
 /// touch elsewhere.
 void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit);
 /// In full: the line with its edge and the vertex opposite, the direction, or the disks.
@@ -109,7 +109,7 @@ void DrawEvents(Canvas &canvas, const WorldView &world, const PictureOptions &op
 /// What that was, by its name in the paper, and how often.
 std::map<std::string, std::size_t> EventsInFocus(const WorldView &world, const PictureOptions &options);
 
-/// Is the pair one of those that the bodies in focus are about? All are, without any.
+/// Is the pair one of the body in focus? All are, without one.
 bool IsInFocus(const PictureOptions &options, const shown::Pair &pair);
 
 } // namespace testbed

@@ -392,8 +392,7 @@ public:
         : m_world(world), m_options(options), m_title(TitleOf(world.Frame())), m_width(options.width),
           m_unit(std::max(options.width / 1200.0, kLeastUnit)) {}
 
-    /// On the canvas that `make` makes of a width and a height.
-    template <class Make> void Draw(Make make) {
+    void Draw(const std::string &path) {
         const Rectangle region = RegionOf(m_world.Frame(), m_options);
         const double high = std::round(m_width * region.Height() / region.Width());
         double strip = 0.0;
@@ -404,7 +403,7 @@ public:
             strip = Legend(measure, m_world, m_options, m_title, m_width, m_unit).Height();
         }
         m_explained = Explain(m_world, m_options, region);
-        Canvas canvas = make(m_width, high + strip);
+        Canvas canvas(path, m_width, high + strip);
         canvas.Box({0.0, 0.0, m_width, high + strip}, {style::kStrip, 1.0});
         const Rectangle area = {0.0, strip, m_width, strip + high};
         canvas.Box(area, {style::kBackground, 1.0});
@@ -420,10 +419,9 @@ public:
     }
 
 private:
-    /// The bodies in focus, and those that an explained pair is about.
+    /// The body in focus, and those that an explained pair is about.
     bool IsNamed(int body) const {
-        const auto &bodies = m_options.bodies;
-        return std::find(bodies.begin(), bodies.end(), body) != bodies.end() ||
+        return m_options.body == body ||
                std::any_of(m_explained.begin(), m_explained.end(), [body](const Explained &one) {
                    return one.pair->a == body || one.pair->b == body;
                });
@@ -431,8 +429,7 @@ private:
 
     void DrawWorld(Canvas &canvas) {
         const Layers &layers = m_options.layers;
-        DrawBodies(canvas, m_world, m_unit,
-                   [this](int body) { return !m_options.bodies.empty() && !IsNamed(body); });
+        DrawBodies(canvas, m_world, m_unit, [this](int body) { return m_options.body && !IsNamed(body); });
         DrawJoints(canvas, m_world, m_unit);
         if (layers.trails)
             DrawTrails(canvas, m_options.trails,
@@ -465,13 +462,13 @@ private:
         bool isNumber; ///< of a body: it stands there or nowhere
     };
 
-    /// Is it in focus, or in a pair with a body in focus?
+    /// Is it in focus, or in a pair with the body in focus?
     bool IsMet(int body) const {
         const std::vector<shown::Pair> &pairs = m_world.Frame().pairs;
-        return IsNamed(body) || (!m_options.bodies.empty() &&
-                                 std::any_of(pairs.begin(), pairs.end(), [&](const shown::Pair &pair) {
-                                     return (pair.a == body || pair.b == body) && IsInFocus(m_options, pair);
-                                 }));
+        return IsNamed(body) ||
+               (m_options.body && std::any_of(pairs.begin(), pairs.end(), [&](const shown::Pair &pair) {
+                    return (pair.a == body || pair.b == body) && IsInFocus(m_options, pair);
+                }));
     }
 
     /// The numbers of the bodies that are met; and how far apart those are whose proofs are drawn in full.
@@ -564,7 +561,7 @@ std::optional<Rectangle> PeriodicBoxOf(const shown::Frame &frame) {
 
 void DrawPicture(const shown::Frame &frame, const PictureOptions &options, const std::string &path) {
     const WorldView world(frame);
-    Page(world, options).Draw([&path](double width, double height) { return Canvas(path, width, height); });
+    Page(world, options).Draw(path);
 }
 
 } // namespace testbed

@@ -34,8 +34,8 @@ struct PictureOptions {
     Layers layers;
     /// The part of the world to show; without it, where the scene happens.
     std::optional<Rectangle> region;
-    /// None, or one body whose pairs are explained one by one, or two whose pair is.
-    std::vector<int> bodies;
+    /// A body in focus, whose pairs are explained one by one.
+    std::optional<int> body;
     int width = 1200;
     /// Of the trails: where each body was, by its number, the latest last.
     std::map<int, std::deque<bmr_vec2>> trails;
@@ -47,7 +47,7 @@ struct PictureOptions {
 std::optional<Rectangle> PeriodicBoxOf(const shown::Frame &frame);
 
 /// The part of the world that a picture with these options shows of a frame: around the bodies without those
-/// that flew far away from the others, or around the bodies in focus.
+/// that flew far away from the others, or around the body in focus.
 Rectangle RegionOf(const shown::Frame &frame, const PictureOptions &options);
 
 /// Adds what the picture of a frame holds.

@@ -148,25 +148,23 @@ const Proof *WeakestProof(const Pair &pair) {
 }
 
 bool IsInFocus(const PictureOptions &options, const Pair &pair) {
-    return std::all_of(options.bodies.begin(), options.bodies.end(),
-                       [&pair](int body) { return body == pair.a || body == pair.b; });
+    return !options.body || options.body == pair.a || options.body == pair.b;
 }
 
 std::vector<Explained> Explain(const WorldView &world, const PictureOptions &options,
                                const Rectangle &region) {
     constexpr std::size_t kMost = 9;
     std::vector<Explained> explained;
-    const bool isOfTwo = options.bodies.size() == 2;
     for (const Pair &pair : world.Frame().pairs) {
-        if (options.bodies.empty() || !IsInFocus(options, pair) || (pair.touching > 0 && !isOfTwo))
+        if (!options.body || !IsInFocus(options, pair) || pair.touching > 0)
             continue;
         const Proof *proof = WeakestProof(pair);
         if (proof == nullptr)
             continue;
         const Shown shown = Show(world, pair, *proof);
         const bmr_vec2 place = Middle(shown.nearOwner, shown.onOther);
-        if (isOfTwo || (place.x > region.left && place.x < region.right && place.y > region.bottom &&
-                        place.y < region.top))
+        if (place.x > region.left && place.x < region.right && place.y > region.bottom &&
+            place.y < region.top)
             explained.push_back({&pair, proof, Middle(shown.onOwner, shown.onOther)});
     }
     std::stable_sort(explained.begin(), explained.end(),
@@ -190,8 +188,7 @@ void DrawProofs(Canvas &canvas, const WorldView &world, const PictureOptions &op
     std::vector<std::pair<const Proof *, const Pair *>> proofs;
     for (const Pair &pair : world.Frame().pairs)
         for (const Proof &proof : pair.proofs)
-            if (proof.kind != "none" && IsInFocus(options, pair) &&
-                (options.bodies.empty() || pair.touching > 0))
+            if (proof.kind != "none" && IsInFocus(options, pair) && (!options.body || pair.touching > 0))
                 proofs.emplace_back(&proof, &pair);
     // The closest pairs are looked for most: on top.
     std::stable_sort(proofs.begin(), proofs.end(),
@@ -242,7 +239,7 @@ void DrawExplained(Canvas &canvas, const WorldView &world, const PictureOptions 
 void DrawHandedOver(Canvas &canvas, const WorldView &world, const PictureOptions &options, double unit) {
     // In a crowd they are smaller, or they would hide what they are about.
     constexpr std::size_t kCrowd = 60;
-    const bool crowd = world.Frame().touching.size() > kCrowd && options.bodies.empty();
+    const bool crowd = world.Frame().touching.size() > kCrowd && !options.body;
     const double half = (crowd ? 3.2 : 4.5) * unit / canvas.Scale();
     const Pen pen = {style::kHandedOver, (crowd ? 1.0 : 1.4) * unit, 1.0, {}};
     for (const Pair &pair : world.Frame().pairs) {

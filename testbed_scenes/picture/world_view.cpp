@@ -87,7 +87,7 @@ namespace {
 constexpr double kMiddleFrom = 0.05, kReach = 0.3;
 /// Share of the region left empty around what it shows.
 constexpr double kMargin = 0.04;
-/// Around bodies in focus: room for what is beside them.
+/// Around a body in focus: room for what is beside it.
 constexpr double kRoomAround = 0.25;
 /// The picture's height is kept between these multiples of its width.
 constexpr double kFlattest = 0.35, kTallest = 1.1;
@@ -141,8 +141,10 @@ Rectangle RegionOfOne(const WorldView &world, int number) {
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const auto *a, const auto *b) { return a->distance < b->distance; });
     pairs.resize(std::min(pairs.size(), kNearest));
-    const Rectangle box = world.BoxOfBody(number), near = Widened(box, kFarthest);
-    Rectangle region = box;
+    Rectangle region = world.BoxOfBody(number);
+    if (IsEmpty(region)) // no fixtures
+        Grow(&region, ToVec2(world.PoseOf(number).position), 1.0);
+    const Rectangle near = Widened(region, kFarthest);
     for (const shown::Pair *pair : pairs) {
         Rectangle gap = NoRectangle();
         for (const shown::Vec &point : pair->closest)
@@ -152,29 +154,6 @@ Rectangle RegionOfOne(const WorldView &world, int number) {
         const bool isNear = both.Width() <= near.Width() && both.Height() <= near.Height();
         if (isNear || pair == pairs[0])
             Grow(&region, gap);
-    }
-    return region;
-}
-
-/// One body and what is beside it; of two, whatever of both is not much larger than the smaller one.
-Rectangle RegionOfBodies(const WorldView &world, const std::vector<int> &bodies) {
-    Rectangle region = NoRectangle();
-    for (const int body : bodies)
-        world.PoseOf(body); // throws
-    if (bodies.size() == 1) {
-        region = RegionOfOne(world, bodies[0]);
-    } else {
-        Rectangle boxes[2] = {world.BoxOfBody(bodies[0]), world.BoxOfBody(bodies[1])};
-        if (std::max(boxes[1].Width(), boxes[1].Height()) < std::max(boxes[0].Width(), boxes[0].Height()))
-            std::swap(boxes[0], boxes[1]);
-        region = boxes[0];
-        if (const Rectangle near = Intersection(boxes[1], Widened(boxes[0], 1.0)); !IsEmpty(near))
-            Grow(&region, near);
-    }
-    if (IsEmpty(region)) { // no fixtures
-        const bmr_vec2 at = ToVec2(world.PoseOf(bodies[0]).position);
-        region = NoRectangle();
-        Grow(&region, at, 1.0);
     }
     return Widened(region, kRoomAround);
 }
@@ -193,7 +172,7 @@ Rectangle RegionOf(const shown::Frame &frame, const PictureOptions &options) {
     const WorldView world(frame);
     if (options.region)
         return WithGoodShape(*options.region);
-    return WithGoodShape(options.bodies.empty() ? RegionOfAll(world) : RegionOfBodies(world, options.bodies));
+    return WithGoodShape(options.body ? RegionOfOne(world, *options.body) : RegionOfAll(world));
 }
 
 } // namespace testbed

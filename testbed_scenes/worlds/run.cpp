@@ -111,7 +111,7 @@ void WorldRun::Advance(double until) {
 void WorldRun::ChangePlan(bmr_body body) {
     const bmr_body_state now = StateOf(body);
     const double time = Time(), turning = kTurning * m_setup.planEvery;
-    const bmr_vec2 wanted = bmr_scale(m_setup.choice.speed * m_dice.Uniform(0.5, 1.5), m_dice.Direction());
+    const bmr_vec2 wanted = bmr_scale(m_dice.Uniform(0.5, 1.5), m_dice.Direction());
     const bmr_vec2 pull = bmr_scale(0.5 / turning, bmr_sub(wanted, now.velocity));
     bmr_motion_piece bend = {};
     bend.kind = BMR_PIECE_ALGEBRAIC;
@@ -131,8 +131,7 @@ void WorldRun::ChangePlan(bmr_body body) {
     Require(bmr_motion_create(&bend, nullptr, &made), "a plan");
     const MotionPointer motion(made);
     const bmr_pose bent = bmr_motion_pose(made, time + turning, nullptr, nullptr);
-    const bmr_motion_piece coast =
-        bmr_piece_screw(time + turning, bent, wanted, m_dice.Uniform(-1.0, 1.0) * m_setup.choice.speed);
+    const bmr_motion_piece coast = bmr_piece_screw(time + turning, bent, wanted, m_dice.Uniform(-1.0, 1.0));
     Require(bmr_motion_change(made, time + turning, &coast), "a plan");
     const bmr_error error = bmr_world_set_motion(m_world.get(), body, made);
     if (error != BMR_OK)
@@ -206,9 +205,8 @@ void SetDrifts(const WorldRun &run, const WorldSetup &setup, WorldFigures *figur
     const bool planned = setup.planEvery > 0.0;
     const bool elastic = choice.response.kind == BMR_RESPONSE_PASS ||
                          (choice.response.kind == BMR_RESPONSE_IMPULSE && choice.response.restitution == 1.0);
-    if (from.energy > 0.0)
-        figures->energyLeft = to.energy / from.energy;
-    if (planned || !(from.energy > 0.0))
+    figures->energyLeft = to.energy / from.energy;
+    if (planned)
         return;
     if (elastic)
         figures->energy = (to.energy - from.energy) / from.energy;

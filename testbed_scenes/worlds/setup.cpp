@@ -102,7 +102,6 @@ WorldScene Scene(const char *name, const char *description, size_t bodies, doubl
     choice.fewestVertices = 8;
     choice.mostVertices = 64;
     choice.density = 0.2;
-    choice.speed = 1.0;
     choice.seconds = seconds;
     choice.structure = "hybrid";
     return scene;
@@ -208,17 +207,17 @@ void SetGoing(WorldSetup *setup, Dice &dice) {
     const bool crowd = choice.scene == "bullet";
     for (size_t i = 0; i < setup->bodies.size(); ++i) {
         WorldBody &body = setup->bodies[i];
-        // The energy is the same on average: the smaller, the faster.
-        const double speed = choice.speed * choice.sizes / body.radius * dice.Uniform(0.5, 1.5);
+        // The energy is the same on average: the smaller, the faster. The largest have the speed 1.
+        const double speed = choice.sizes / body.radius * dice.Uniform(0.5, 1.5);
         const double spin = dice.Uniform(-1.0, 1.0) * speed / body.radius;
         const bmr_vec2 way = dice.Direction();
         if (crowd && i > 0)
             continue;
-        body.velocity = bmr_scale(crowd ? kFast * choice.speed : speed, way);
+        body.velocity = bmr_scale(crowd ? kFast : speed, way);
         body.spin = spin;
     }
-    if (choice.scene == "swarm" && choice.speed > 0.0)
-        setup->planEvery = kCrossingsAPlan * 2.0 / choice.speed;
+    if (choice.scene == "swarm")
+        setup->planEvery = kCrossingsAPlan * 2.0;
 }
 
 } // namespace

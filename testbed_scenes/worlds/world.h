@@ -39,7 +39,6 @@ struct WorldChoice {
     size_t fewestVertices = 0, mostVertices = 0; ///< each body's number is drawn from between them
     double sizes = 1.0;                          ///< radius of the largest disk over the smallest; >= 1
     double density = 0.0;                        ///< the polygons' area over the box's
-    double speed = 0.0;                          ///< of a body of the largest size, on average
     double seconds = 0.0;
     std::string structure;
     uint64_t seed = 1;

@@ -141,9 +141,8 @@ void DrawPanel(Canvas &canvas, const Rectangle &page, const Panel &panel) {
 } // namespace
 
 void DrawGrowth(Canvas &canvas) {
-    // Half a minute of work, the same for every format.
-    static const Panel line = PanelOf(BMR_FAMILY_LINE, "passing on a straight line", false);
-    static const Panel orbit = PanelOf(BMR_FAMILY_ORBIT, "one orbit", true);
+    const Panel line = PanelOf(BMR_FAMILY_LINE, "passing on a straight line", false);
+    const Panel orbit = PanelOf(BMR_FAMILY_ORBIT, "one orbit", true);
     const double half = 0.5 * canvas.Width();
     DrawPanel(canvas, {4.0, 4.0, half - 4.0, canvas.Height() - 4.0}, line);
     DrawPanel(canvas, {half + 4.0, 4.0, canvas.Width() - 4.0, canvas.Height() - 4.0}, orbit);
