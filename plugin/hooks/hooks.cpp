@@ -150,7 +150,7 @@ b2Joint *b2World::CreateJoint(const b2JointDef *def) {
 }
 
 void b2World::DestroyJoint(b2Joint *joint) {
-    b2Body *const body = joint != nullptr ? joint->GetBodyB() : nullptr;
+    const b2Body *const body = joint != nullptr && AnyPairTable() ? joint->GetBodyB() : nullptr;
     stock::DestroyJoint(this, joint);
     NoteFiltering(body);
 }

@@ -72,17 +72,6 @@ struct ContactRecorder::Room {
     Log<SensorTouchEvent> sensorBegins, sensorEnds;
     Log<ContactHitEvent> hits;
 
-    static Room *Make() {
-        void *memory = std::malloc(sizeof(Room));
-        return memory == nullptr ? nullptr : new (memory) Room();
-    }
-    static void Unmake(Room *room) {
-        if (room == nullptr)
-            return;
-        room->~Room();
-        std::free(room);
-    }
-
     /// A beginning or an end, in one of two lists. False without memory.
     static bool AddTouch(b2Contact *contact, bool mayBeGone, Log<ContactTouchEvent> *solid,
                          Log<SensorTouchEvent> *ofSensors) {
@@ -103,12 +92,12 @@ struct ContactRecorder::Room {
 
 ContactRecorder::ContactRecorder() noexcept : m_hitThreshold(std::numeric_limits<float>::infinity()) {
     for (Room *&room : m_rooms)
-        room = Room::Make();
+        room = new (std::nothrow) Room();
 }
 
 ContactRecorder::~ContactRecorder() {
     for (Room *room : m_rooms)
-        Room::Unmake(room);
+        delete room;
 }
 
 ContactEvents ContactRecorder::Take() noexcept {
