@@ -171,7 +171,7 @@ play_frame play_frame_of_duel(const play_duel *duel, bool now) {
     const bool course = duel->def.course != PLAY_BY_HAND && !now;
     for (int i = 0; i <= (course ? FRAME_SAMPLES : 0); ++i) {
         const double part = (double)i / FRAME_SAMPLES;
-        const double time = course ? duel->from + part * (duel->until - duel->from) : duel->time;
+        const double time = course ? part * duel->until : duel->time;
         for (int body = 0; body < 2; ++body) {
             const bmr_polygon *polygon = duel->def.bodies[body]->polygon;
             const bmr_pose pose = bmr_motion_pose(duel->motions[body], time, NULL, NULL);

@@ -30,16 +30,7 @@ static void remember(void *context, const bmr_simulation_event *event) {
     play_duel *duel = context;
     if (event->report.kind == BMR_KDS_START || event->report.kind == BMR_KDS_NONE)
         return;
-    if (duel->event_count == PLAY_REMEMBERED)
-        memmove(duel->events, duel->events + 1, (PLAY_REMEMBERED - 1) * sizeof *duel->events);
-    else
-        ++duel->event_count;
-    duel->events[duel->event_count - 1] = (play_event){.time = event->time,
-                                                       .report = event->report,
-                                                       .before = event->before,
-                                                       .after = event->after,
-                                                       .failed = event->failed,
-                                                       .pose = event->pose};
+    duel->latest = (play_event){event->report, event->before, event->after, event->failed, 0.0};
     ++duel->told;
 }
 
@@ -83,7 +74,6 @@ static bmr_error run(play_duel *duel, size_t index, double time) {
         return BMR_OK;
     if (bmr_simulation_run(follower->simulation, time) == BMR_OK)
         return BMR_OK;
-    ++duel->begun_anew;
     duel->time = time;
     return begin(duel, index);
 }
@@ -96,7 +86,7 @@ static bmr_error survey(play_duel *duel, play_follower *follower) {
     follower->marks = malloc(PLAY_MARKS * sizeof *follower->marks);
     if (!follower->marks)
         return BMR_ERROR_NO_MEMORY;
-    const bmr_error error = simulate(duel, follower->info, duel->from, mark, follower, &simulation);
+    const bmr_error error = simulate(duel, follower->info, 0.0, mark, follower, &simulation);
     if (error != BMR_OK)
         return error;
     bmr_simulation_run(simulation, duel->until); // what stalls has no more marks
@@ -111,21 +101,11 @@ static bmr_error rest_at(const bmr_pose *pose, bmr_motion **motion) {
     return bmr_motion_create(&piece, NULL, motion);
 }
 
-static bmr_error follow_path(play_duel *duel) {
-    if (!duel->def.legs || duel->def.leg_count == 0)
-        return BMR_ERROR_OUT_OF_RANGE;
+static bmr_error follow_screw(play_duel *duel) {
     const bmr_pose home = bmr_pose_identity();
-    bmr_error error = rest_at(&home, &duel->motions[0]);
-    for (size_t i = 0; i < duel->def.leg_count && error == BMR_OK; ++i) {
-        const play_leg *leg = &duel->def.legs[i];
-        const bmr_motion_piece piece =
-            bmr_piece_screw(leg->time, bmr_pose_from_angle(bmr_vec2_make(leg->x, leg->y), leg->angle),
-                            bmr_vec2_make(leg->vx, leg->vy), leg->spin);
-        error = i == 0 ? bmr_motion_create(&piece, NULL, &duel->motions[1])
-                       : bmr_motion_change(duel->motions[1], leg->time, &piece);
-    }
+    const bmr_error error = rest_at(&home, &duel->motions[0]);
     duel->until = duel->def.until;
-    return error;
+    return error == BMR_OK ? bmr_motion_create(&duel->def.screw, NULL, &duel->motions[1]) : error;
 }
 
 static bmr_error follow_family(play_duel *duel) {
@@ -136,16 +116,14 @@ static bmr_error follow_family(play_duel *duel) {
         return error;
     duel->motions[0] = made.motions[0];
     duel->motions[1] = made.motions[1];
-    duel->diameter = made.diameter;
-    duel->separation = made.separation;
     duel->until = 1.0;
     return BMR_OK;
 }
 
 static bmr_error make_motions(play_duel *duel) {
     switch (duel->def.course) {
-    case PLAY_PATH_OF:
-        return follow_path(duel);
+    case PLAY_SCREW:
+        return follow_screw(duel);
     case PLAY_FAMILY:
         return follow_family(duel);
     default:
@@ -201,8 +179,8 @@ void play_duel_destroy(play_duel *duel) {
 
 /// Back to the beginning of the course: nothing has been counted yet.
 static bmr_error rewind_duel(play_duel *duel) {
-    duel->time = duel->from;
-    duel->event_count = 0;
+    duel->time = 0.0;
+    duel->latest = (play_event){.report = {.kind = BMR_KDS_START}};
     bmr_error error = BMR_OK;
     for (size_t i = 0; i < PLAY_FOLLOWERS && error == BMR_OK; ++i) {
         error = begin(duel, i);
@@ -216,7 +194,7 @@ bmr_error play_duel_seek(play_duel *duel, double time) {
         return BMR_ERROR_NOT_FINITE;
     if (duel->def.course == PLAY_BY_HAND)
         return BMR_OK;
-    time = fmin(fmax(time, duel->from), duel->until);
+    time = fmin(fmax(time, 0.0), duel->until);
     bmr_error error = time < duel->time ? rewind_duel(duel) : BMR_OK;
     for (size_t i = 0; i < PLAY_FOLLOWERS && error == BMR_OK; ++i)
         error = run(duel, i, time);
@@ -281,10 +259,8 @@ bmr_error play_duel_hold(play_duel *duel, int body, const bmr_pose *pose) {
     }
     for (size_t i = 0; i < PLAY_FOLLOWERS && error == BMR_OK; ++i) {
         // A search that fails leaves the simulation where it is; then it begins anew.
-        if (bmr_simulation_replan(duel->followers[i].simulation, (size_t)body) != BMR_OK) {
-            ++duel->begun_anew;
+        if (bmr_simulation_replan(duel->followers[i].simulation, (size_t)body) != BMR_OK)
             error = begin(duel, i);
-        }
         if (error == BMR_OK)
             error = run(duel, i, end);
         duel->time = start;
@@ -294,8 +270,7 @@ bmr_error play_duel_hold(play_duel *duel, int body, const bmr_pose *pose) {
 }
 
 void play_duel_grow_old(play_duel *duel, double seconds) {
-    for (size_t i = 0; i < duel->event_count; ++i)
-        duel->events[i].age += seconds;
+    duel->latest.age += seconds;
 }
 
 bmr_pose play_duel_pose(const play_duel *duel, int body) {
@@ -318,7 +293,7 @@ uint64_t play_duel_count(const play_duel *duel, size_t follower, bmr_kds_event_k
 }
 
 const play_event *play_duel_latest(const play_duel *duel) {
-    return duel->event_count > 0 ? &duel->events[duel->event_count - 1] : NULL;
+    return duel->latest.report.kind != BMR_KDS_START ? &duel->latest : NULL;
 }
 
 #define PI 3.14159265358979323846
@@ -329,13 +304,6 @@ static const size_t lesson_corners[2] = {9, 8};
 static const double axes[2][2] = {{1.7, 1.05}, {1.35, 0.75}};
 static const double first[2] = {0.3, 0.1};
 
-/// B comes from the left above A, turning, and sinks a little. Times are seconds. Chosen by trying: with
-/// lazy-dudley it begins with a push, a roll and a stab, none nearer than half a second to the next, and has
-/// no contact.
-static const play_leg legs[] = {
-    {.time = 0.0, .x = -4.2, .y = 2.349, .angle = -0.989, .vx = 0.84, .vy = -0.0394, .spin = 0.253}};
-#define UNTIL 10.0
-
 bmr_error play_lesson_body(int body, play_body **made) {
     bmr_vec2 points[16];
     for (size_t i = 0; i < lesson_corners[body]; ++i) {
@@ -345,7 +313,12 @@ bmr_error play_lesson_body(int body, play_body **made) {
     return play_body_create(points, lesson_corners[body], 1.0, made);
 }
 
+/// B comes from the left above A, turning, and sinks a little. Times are seconds. Chosen by trying: with
+/// lazy-dudley it begins with a push, a roll and a stab, none nearer than half a second to the next, and has
+/// no contact.
 play_duel_def play_lesson_def(void) {
-    return (play_duel_def){
-        .course = PLAY_PATH_OF, .legs = legs, .leg_count = sizeof legs / sizeof legs[0], .until = UNTIL};
+    const bmr_pose left = bmr_pose_from_angle(bmr_vec2_make(-4.2, 2.349), -0.989);
+    return (play_duel_def){.course = PLAY_SCREW,
+                           .screw = bmr_piece_screw(0.0, left, bmr_vec2_make(0.84, -0.0394), 0.253),
+                           .until = 10.0};
 }

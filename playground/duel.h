@@ -13,41 +13,31 @@
 
 /// The chosen structure and the three rivals.
 #define PLAY_FOLLOWERS 4u
-/// Events that are remembered, the latest last.
-#define PLAY_REMEMBERED 8u
 /// Events of a course that are marked on its time line, of each structure.
 #define PLAY_MARKS 4096u
 
 /// How the bodies move.
 typedef enum play_course {
     PLAY_BY_HAND, ///< as play_duel_hold says; a unit of time for each call
-    PLAY_PATH_OF, ///< B on given screw motions while A rests, from time 0 on
+    PLAY_SCREW,   ///< B on a screw motion while A rests, from time 0 on
     PLAY_FAMILY   ///< one of core's families of motions, from time 0 to 1
 } play_course;
-
-/// One stretch of a path: B moves so from this time on.
-typedef struct play_leg {
-    double time, x, y, angle, vx, vy, spin;
-} play_leg;
 
 typedef struct play_duel_def {
     const bmr_kds_info *structure; ///< the chosen one
     const play_body *bodies[2];    ///< must outlive the duel
     play_course course;
-    bmr_pose poses[2];     ///< of BY_HAND: where they begin
-    const play_leg *legs;  ///< of PATH_OF
-    size_t leg_count;      ///< > 0
-    double until;          ///< of PATH_OF: the end
-    bmr_family_def family; ///< of FAMILY
+    bmr_pose poses[2];      ///< of BY_HAND: where they begin
+    bmr_motion_piece screw; ///< of SCREW: B's motion
+    double until;           ///< of SCREW: the end
+    bmr_family_def family;  ///< of FAMILY
 } play_duel_def;
 
 /// An event of the chosen structure.
 typedef struct play_event {
-    double time;
     bmr_kds_report report;
     bmr_kds_proof before, after; ///< as in bmr_simulation_event
     bmr_condition failed;
-    bmr_pose pose;
     double age; ///< seconds for the eye, counted up by play_duel_grow_old
 } play_event;
 
@@ -70,19 +60,16 @@ typedef struct play_follower {
 typedef struct play_duel {
     play_duel_def def;
     bmr_motion *motions[2];
-    double from, until; ///< of a course; BY_HAND: until is INFINITY
+    double until; ///< of a course, which begins at 0; BY_HAND: INFINITY
     double time;
-    double diameter, separation; ///< of FAMILY: D, and the least separation of the course; else 0
     play_follower followers[PLAY_FOLLOWERS];
-    play_event events[PLAY_REMEMBERED];
-    size_t event_count;  ///< at most PLAY_REMEMBERED
-    uint64_t told;       ///< events that were remembered since the beginning
-    uint64_t begun_anew; ///< how often simulations had to be
-    unsigned holds;      ///< since the motions were made
+    play_event latest; ///< its report's kind is BMR_KDS_START while there is none
+    uint64_t told;     ///< events of the chosen structure since the beginning
+    unsigned holds;    ///< since the motions were made
 } play_duel;
 
 /// The structures start at the beginning of the course, which is followed once to its end for the time line.
-/// Errors: NULL_ARGUMENT, OUT_OF_RANGE (no leg), NO_MEMORY, those of bmr_motion_create, bmr_family_create
+/// Errors: NULL_ARGUMENT, NO_MEMORY, those of bmr_motion_create, bmr_family_create
 /// and bmr_simulation_create; then *duel is untouched. (A structure that stalls on the way has no more marks
 /// from there on.)
 bmr_error play_duel_create(const play_duel_def *def, play_duel **duel);
@@ -113,7 +100,7 @@ bool play_is_cell(const bmr_kds_info *info);
 /// Does an event count as one: a certificate that failed and was repaired? Starts, contacts and leaves are
 /// none.
 bool play_is_repair(bmr_kds_event_kind kind);
-/// The latest remembered event; NULL: there is none yet.
+/// The latest event; NULL: there is none yet.
 const play_event *play_duel_latest(const play_duel *duel);
 
 /// A course of a few seconds on which `lazy-dudley` has a push, a stab and a roll early, one after the other.
