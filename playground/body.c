@@ -75,8 +75,8 @@ bmr_shape play_body_shape(const play_body *body) {
     return shape;
 }
 
-size_t play_envelope(const bmr_hierarchy *hierarchy, uint32_t level, const bmr_pose *pose, bmr_vec2 *corners,
-                     size_t room) {
+size_t play_envelope(const bmr_hierarchy *hierarchy, uint32_t level, const bmr_pose *pose,
+                     bmr_vec2 *corners) {
     const uint32_t depth = bmr_hierarchy_depth(hierarchy);
     if (level > depth)
         level = depth;
@@ -84,9 +84,7 @@ size_t play_envelope(const bmr_hierarchy *hierarchy, uint32_t level, const bmr_p
     bmr_edge edge = 0;
     do {
         const bmr_corner corner = bmr_hierarchy_corner_after(hierarchy, edge, level);
-        if (count < room)
-            corners[count] = bmr_transform(pose, bmr_hierarchy_corner_point(hierarchy, corner));
-        ++count;
+        corners[count++] = bmr_transform(pose, bmr_hierarchy_corner_point(hierarchy, corner));
         edge = corner.after;
     } while (edge != 0);
     return count;

@@ -8,7 +8,6 @@
 
 void play_display_clear(play_display *display) {
     display->count = 0;
-    display->complete = true;
 }
 
 void play_display_free(play_display *display) {
@@ -32,12 +31,8 @@ static bool make_room(play_display *display, size_t more) {
 
 void play_display_add(play_display *display, play_mark mark, play_ink ink, double strength, int label,
                       const bmr_vec2 *points, size_t count) {
-    if (count == 0)
+    if (count == 0 || !make_room(display, PLAY_ITEM_HEAD + 2 * count))
         return;
-    if (!make_room(display, PLAY_ITEM_HEAD + 2 * count)) {
-        display->complete = false;
-        return;
-    }
     float *out = display->numbers + display->count;
     *out++ = (float)mark;
     *out++ = (float)ink;

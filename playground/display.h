@@ -19,7 +19,6 @@ typedef enum play_mark {
     PLAY_DOT,   ///< a small disk at each point
     PLAY_RING,  ///< a circle at each point that is large at strength 0 and small at 1
     PLAY_LABEL, ///< the label's text beside each point
-    PLAY_MARK_COUNT
 } play_mark;
 
 /// What an item is; the page's style sheet says how it looks.
@@ -47,7 +46,6 @@ typedef enum play_ink {
     PLAY_INK_CANDIDATE, ///< two bodies whose disks are watched
     PLAY_INK_NEAR,      ///< two bodies with a structure
     PLAY_INK_SKETCH,    ///< corners being drawn
-    PLAY_INK_COUNT
 } play_ink;
 
 #define PLAY_ITEM_HEAD 5u
@@ -57,13 +55,13 @@ typedef enum play_ink {
 typedef struct play_display {
     float *numbers;
     size_t count, room;
-    bool complete; ///< false: memory ran out, and what came after is missing
 } play_display;
 
 /// Nothing to draw; keeps its memory. Begin with a display of zeros.
 void play_display_clear(play_display *display);
 void play_display_free(play_display *display);
-/// `strength` in [0, 1]: how far it is faded in. `label`: see play_label_text (words.h). No points: nothing.
+/// `strength` in [0, 1]: how far it is faded in. `label`: see play_label_text (words.h). No points, or no
+/// memory for them: nothing.
 void play_display_add(play_display *display, play_mark mark, play_ink ink, double strength, int label,
                       const bmr_vec2 *points, size_t count);
 

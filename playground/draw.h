@@ -30,8 +30,9 @@ bool play_draw_event_at(play_display *display, const play_duel *duel, bmr_vec2 w
 play_frame play_frame_of_duel(const play_duel *duel, bool now);
 
 /// The mixed hierarchy of A (+) (-B) at the present rotation, in A's frame: its cells, the cell that x (the
-/// place of B) is in, and x. For structures with a hierarchy; nothing for the others. Errors: NO_MEMORY.
-bmr_error play_draw_mixed(play_display *display, const play_duel *duel);
+/// place of B) is in, and x. For structures with a hierarchy; nothing for the others. What there is no memory
+/// for is left out.
+void play_draw_mixed(play_display *display, const play_duel *duel);
 /// All cells, at any rotation, and x.
 play_frame play_frame_of_mixed(const play_duel *duel);
 

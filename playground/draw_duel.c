@@ -12,14 +12,10 @@
 /// Length of the window's sides, in radii of the body.
 #define WINDOW_LENGTH 0.55
 
-static bmr_vec2 direction_in_world(const bmr_pose *pose, bmr_vec2 direction) {
-    return bmr_rotate(pose, direction);
-}
-
 static void draw_envelope(play_display *display, const bmr_hierarchy *hierarchy, uint32_t level,
                           const bmr_pose *pose, play_ink ink, double strength) {
     bmr_vec2 corners[PLAY_ENVELOPE_ROOM];
-    const size_t count = play_envelope(hierarchy, level, pose, corners, PLAY_ENVELOPE_ROOM);
+    const size_t count = play_envelope(hierarchy, level, pose, corners);
     play_display_add(display, PLAY_AREA, ink, strength, PLAY_NO_LABEL, corners, count);
 }
 
@@ -56,7 +52,7 @@ static void draw_levels(play_display *display, const play_duel *duel, play_shown
 static void draw_line(play_display *display, const play_duel *duel, const bmr_kds_proof *proof, play_ink ink,
                       double strength, const play_frame *frame) {
     const bmr_pose owner = play_duel_pose(duel, proof->owner), other = play_duel_pose(duel, 1 - proof->owner);
-    const bmr_vec2 normal = direction_in_world(&owner, proof->line.normal);
+    const bmr_vec2 normal = bmr_rotate(&owner, proof->line.normal);
     const bmr_vec2 corner = bmr_transform(&other, proof->nearest);
     const double offset = proof->line.offset + bmr_dot(normal, owner.position);
     const bmr_vec2 foot = bmr_sub(corner, bmr_scale(bmr_dot(normal, corner) - offset, normal));
@@ -71,7 +67,7 @@ static void draw_watched(play_display *display, const play_duel *duel, const bmr
     bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
     const size_t count = bmr_kds_conditions(play_duel_kds(duel), conditions);
     const bmr_pose poses[2] = {play_duel_pose(duel, 0), play_duel_pose(duel, 1)};
-    const bmr_vec2 normal = direction_in_world(&poses[proof->owner], proof->line.normal);
+    const bmr_vec2 normal = bmr_rotate(&poses[proof->owner], proof->line.normal);
     const bmr_vec2 nearest = bmr_transform(&poses[1 - proof->owner], proof->nearest);
     const double length = WINDOW_LENGTH * duel->def.bodies[1 - proof->owner]->polygon->radius;
     bmr_vec2 cone[3];
@@ -82,14 +78,14 @@ static void draw_watched(play_display *display, const play_duel *duel, const bmr
         const bmr_pose *owner = &poses[k->owner], *other = &poses[1 - k->owner];
         if (k->kind == BMR_CONDITION_BEYOND) {
             const bmr_vec2 point = bmr_transform(other, k->point);
-            const bmr_vec2 n = direction_in_world(owner, k->normal);
+            const bmr_vec2 n = bmr_rotate(owner, k->normal);
             const double beyond = bmr_dot(n, bmr_sub(point, owner->position)) - k->offset;
             const bmr_vec2 way[2] = {point, bmr_sub(point, bmr_scale(beyond, n))};
             play_display_add(display, PLAY_PATH, PLAY_INK_WATCHED, 1.0, PLAY_NO_LABEL, way, 2);
             play_display_add(display, PLAY_DOT, PLAY_INK_WATCHED, 1.0, PLAY_NO_LABEL, way, 1);
         } else if (k->kind == BMR_CONDITION_TURN && sides < 2) {
             // Towards the owner, as the line's normal seen from the corner.
-            bmr_vec2 side = direction_in_world(other, k->point);
+            bmr_vec2 side = bmr_rotate(other, k->point);
             if (bmr_dot(side, normal) > 0.0)
                 side = bmr_neg(side);
             cone[2 * sides++] = bmr_add(nearest, bmr_scale(length, side));

@@ -31,36 +31,30 @@ static void draw_cell(play_display *display, const bmr_mixed *mixed, const bmr_m
 }
 
 /// Where the bodies overlap: all differences of their vertices.
-static bmr_error draw_sum(play_display *display, const play_duel *duel) {
+static void draw_sum(play_display *display, const play_duel *duel) {
     const bmr_pose pose = play_duel_b_in_a(duel);
     bmr_polygon *sum;
-    const bmr_error error =
-        bmr_minkowski_difference(duel->def.bodies[0]->polygon, duel->def.bodies[1]->polygon,
-                                 bmr_vec2_make(pose.c, pose.s), NULL, &sum);
-    if (error != BMR_OK)
-        return error;
+    if (bmr_minkowski_difference(duel->def.bodies[0]->polygon, duel->def.bodies[1]->polygon,
+                                 bmr_vec2_make(pose.c, pose.s), NULL, &sum) != BMR_OK)
+        return;
     play_display_add(display, PLAY_AREA, PLAY_INK_SUM, 1.0, PLAY_NO_LABEL, sum->vertices, sum->count);
     bmr_polygon_destroy(sum, NULL);
-    return BMR_OK;
 }
 
-bmr_error play_draw_mixed(play_display *display, const play_duel *duel) {
+void play_draw_mixed(play_display *display, const play_duel *duel) {
     if (duel->def.structure->hierarchy < 0)
-        return BMR_OK;
+        return;
     bmr_vec2 x;
     const bmr_mixed mixed = mixed_of(duel, &x);
     bmr_mixed_tiling *tiling;
-    bmr_error error = bmr_mixed_tiling_create(&mixed, NULL, &tiling);
-    if (error != BMR_OK)
-        return error;
+    if (bmr_mixed_tiling_create(&mixed, NULL, &tiling) != BMR_OK)
+        return;
     for (uint32_t tile = 0; tile < bmr_mixed_tiling_count(tiling); ++tile) {
         const bmr_mixed_cell *cell = bmr_mixed_tiling_cell(tiling, tile);
         draw_cell(display, &mixed, cell, ink_of(cell));
     }
     bmr_mixed_tiling_destroy(tiling, NULL);
-    error = draw_sum(display, duel);
-    if (error != BMR_OK)
-        return error;
+    draw_sum(display, duel);
     bmr_mixed_cell cell;
     const bmr_vec2 from = hypot(x.x, x.y) > 0.0 ? x : any_direction;
     if (bmr_mixed_locate(&mixed, x, from, &cell, NULL) && cell.kind < BMR_MIXED_OUTSIDE)
@@ -68,15 +62,13 @@ bmr_error play_draw_mixed(play_display *display, const play_duel *duel) {
     play_display_add(display, PLAY_DOT, PLAY_INK_POINT, 1.0, PLAY_NO_LABEL, &x, 1);
     if (!play_draw_event_at(display, duel, x))
         play_display_add(display, PLAY_LABEL, PLAY_INK_POINT, 1.0, PLAY_LABEL_X, &x, 1);
-    return BMR_OK;
 }
 
 /// The corner of a body's bounding rectangle that is farthest from its origin.
 static double reach_of(const play_duel *duel, int body, int kind) {
     bmr_vec2 corners[PLAY_ENVELOPE_ROOM];
     const bmr_pose home = bmr_pose_identity();
-    const size_t count =
-        play_envelope(duel->def.bodies[body]->hierarchies[kind], 0, &home, corners, PLAY_ENVELOPE_ROOM);
+    const size_t count = play_envelope(duel->def.bodies[body]->hierarchies[kind], 0, &home, corners);
     double reach = 0.0;
     for (size_t i = 0; i < count; ++i)
         reach = fmax(reach, hypot(corners[i].x, corners[i].y));

@@ -353,8 +353,7 @@ int play_draw(play_page *page, int picture, int option) {
     if (picture == PLAY_PICTURE_CROWD) {
         play_draw_crowd(&page->display, page->crowd, (unsigned)option);
     } else if (picture == PLAY_PICTURE_MIXED) {
-        if (play_draw_mixed(&page->display, page->duel) != BMR_OK)
-            page->display.complete = false;
+        play_draw_mixed(&page->display, page->duel);
     } else {
         const play_frame frame = play_frame_of_duel(page->duel, false);
         play_draw_duel(&page->display, page->duel, (play_shown_levels)option, &frame);

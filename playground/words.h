@@ -10,7 +10,7 @@
 /// most `size` bytes with a 0 at the end (size > 0) and return the length of what they wrote.
 
 /// Labels in a picture: those of events are their bmr_kds_event_kind.
-enum { PLAY_LABEL_A = BMR_KDS_EVENT_KIND_COUNT, PLAY_LABEL_B, PLAY_LABEL_X, PLAY_LABEL_COUNT };
+enum { PLAY_LABEL_A = BMR_KDS_EVENT_KIND_COUNT, PLAY_LABEL_B, PLAY_LABEL_X };
 /// "A", "B", "x", "stab"; NULL for anything else.
 const char *play_label_text(int label);
 
