@@ -192,6 +192,28 @@ TEST(what_is_apart_stays_so_all_the_way) {
     }
 }
 
+/// A point turns by as much as the series are for, and the other one stays: the answer changes where the
+/// nearer end, less the height of the arc, is as far off as asked.
+TEST(where_a_turn_began_is_known_to_rounding) {
+    const outline tip = {{{1.0f, 0.0f}}, 1};
+    const bmr_vec32 far = {3.0f, 0.0f}, n = {1.0f, 0.0f};
+    const double turn = 0.25, room = 2e-6;
+    size_t looks = 0;
+    for (int k = 0; k < 200; ++k) {
+        const mover a = place(tip, none, none, none, random_in(-3.0f, 3.0f), (float)turn),
+                    b = place(tip, none, far, far, 0.0f, 0.0f);
+        const bmr_swept32 sa = swept(&a), sb = swept(&b);
+        const double at_end = gap_at(&a, &b, 1.0, n), height = 0.125 * turn * turn;
+        const double least = fmin(at_end, gap_at(&a, &b, 0.0, n)) - height;
+        if (at_end - turn > least - 1e-5)
+            continue; // the length of the arc is enough
+        assert_true(bmr_swept32_apart_along(&sa, &sb, (float)(least - room), n));
+        assert_false(bmr_swept32_apart_along(&sa, &sb, (float)(least + room), n));
+        ++looks;
+    }
+    assert_true(looks > 100);
+}
+
 TEST(a_shape_is_measured) {
     const outline o = {{{1.0f, 1.0f}, {4.0f, 1.0f}, {4.0f, 5.0f}}, 3};
     const bmr_vec32 center = {1.0f, 1.0f}, start = {7.0f, 8.0f}, end = {5.0f, 8.5f};
