@@ -5,6 +5,7 @@
 #include "cases.h"
 #include "outline_families.h"
 #include "outline_oracle.h"
+#include "polygon_distance.h"
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -288,17 +289,9 @@ TEST_CASE("larger ones have at most 1.5 times as many, in the mean") {
 
 namespace {
 
-double DistanceToSegment(bmr_vec2 p, bmr_vec2 a, bmr_vec2 b) {
-    const bmr_vec2 along = bmr_sub(b, a), to = bmr_sub(p, a);
-    const double part = std::min(std::max(bmr_dot(to, along) / bmr_dot(along, along), 0.0), 1.0);
-    return std::hypot(to.x - part * along.x, to.y - part * along.y);
-}
-
 double DistanceToRing(bmr_vec2 p, const std::vector<bmr_vec2> &ring) {
-    double least = INFINITY;
-    for (size_t i = 0; i < ring.size(); ++i)
-        least = std::min(least, DistanceToSegment(p, ring[i], ring[(i + 1) % ring.size()]));
-    return least;
+    const distance::Point way = distance::ToRing({p.x, p.y}, ring);
+    return static_cast<double>(std::hypot(way.x, way.y));
 }
 
 std::vector<std::vector<bmr_vec2>> RingsOf(const Outline &outline) {

@@ -519,18 +519,3 @@ loop_mass loop_measure(const bmr_convex32 *p) {
     m.y += y0;
     return m;
 }
-
-double loop_distance(const bmr_vec32 *v, size_t count, bmr_vec32 q) {
-    double least = INFINITY;
-    bool inside = true;
-    for (size_t i = 0; i < count; ++i) {
-        const bmr_vec32 a = v[i], b = v[i + 1 < count ? i + 1 : 0];
-        const double x = (double)b.x - (double)a.x, y = (double)b.y - (double)a.y;
-        const double px = (double)q.x - (double)a.x, py = (double)q.y - (double)a.y;
-        const double t = fmin(fmax((px * x + py * y) / (x * x + y * y), 0.0), 1.0);
-        const double dx = px - t * x, dy = py - t * y;
-        least = fmin(least, dx * dx + dy * dy);
-        inside = inside && x * py - y * px >= 0.0;
-    }
-    return inside ? 0.0 : sqrt(least);
-}

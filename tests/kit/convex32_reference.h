@@ -52,9 +52,6 @@ typedef struct loop_mass {
 } loop_mass;
 loop_mass loop_measure(const bmr_convex32 *polygon);
 
-/// From the point to the polygon of these vertices, in double; 0 inside.
-double loop_distance(const bmr_vec32 *vertices, size_t count, bmr_vec32 point);
-
 #ifdef __cplusplus
 }
 #endif

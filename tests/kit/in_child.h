@@ -68,7 +68,6 @@ public:
     /// Does it count? Then claims about counts may be made. (Where all is verified Box2D is asked, too.)
     bool Counts() const { return HasPlugin() && m_options->statistics && !Verifies(); }
     bool Verifies() const { return HasPlugin() && m_options->mode == bmr::Mode::Verify; }
-    bool IsUncounted() const { return HasPlugin() && !m_options->statistics; }
     /// Do contacts remember edges? Else the hulls of bodies have structures.
     bool RemembersEdges() const { return HasPlugin() && std::getenv("BOOMERANG_PAIRS_BY") == nullptr; }
     /// Does nothing in a stock run.

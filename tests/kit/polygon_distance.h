@@ -62,6 +62,18 @@ inline Point ToSegment(const Point &r, const Point &p, const Point &q) {
     return {p.x + t * dx - r.x, p.y + t * dy - r.y};
 }
 
+/// From p to the nearest point of a ring.
+template <typename Ring> Point ToRing(const Point &p, const Ring &ring) {
+    Point nearest = {INFINITY, 0.0L};
+    for (size_t i = 0; i < ring.size(); ++i) {
+        const auto &from = ring[i], &to = ring[(i + 1) % ring.size()];
+        const Point way = ToSegment(p, {from.x, from.y}, {to.x, to.y});
+        if (way.x * way.x + way.y * way.y < nearest.x * nearest.x + nearest.y * nearest.y)
+            nearest = way;
+    }
+    return nearest;
+}
+
 /// The distance; where the polygons overlap, minus the least depth over edge normals. At least one has an
 /// inside.
 inline long double SignedDistance(const Points &a, const Points &b) {

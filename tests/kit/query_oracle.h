@@ -39,12 +39,8 @@ inline bool ProvesItself(const Scene &s, const bmr_closest_points &answer) {
     const distance::Point a = {answer.point_a.x, answer.point_a.y}, b = {answer.point_b.x, answer.point_b.y};
     // Closest points lie on the border. (Whether a point is inside is no question for edges of some ulps.)
     const auto on_border = [&](const distance::Points &points, const distance::Point &p) {
-        long double least = INFINITY;
-        for (size_t i = 0; i < points.size(); ++i) {
-            const distance::Point w = distance::ToSegment(p, points[i], points[(i + 1) % points.size()]);
-            least = std::min(least, std::hypot(w.x, w.y));
-        }
-        return least <= s.tolerance;
+        const distance::Point to = distance::ToRing(p, points);
+        return std::hypot(to.x, to.y) <= s.tolerance;
     };
     // Two points that are off by the tolerance turn the normal by so much; the polygons are no longer than
     // twice their extents.

@@ -82,14 +82,8 @@ void CheckLines(const bmr_hierarchy *h) {
 /// From the nearest point of the polygon's border.
 bmr_vec2 FromBorder(const bmr_polygon *p, bmr_vec2 x) {
     const distance::Points points = distance::Transformed(p, bmr_pose_identity());
-    distance::Point nearest = {INFINITY, 0.0L};
-    for (size_t i = 0; i < points.size(); ++i) {
-        const distance::Point to =
-            distance::ToSegment({x.x, x.y}, points[i], points[(i + 1) % points.size()]);
-        if (std::hypot(to.x, to.y) < std::hypot(nearest.x, nearest.y))
-            nearest = to;
-    }
-    return {static_cast<double>(-nearest.x), static_cast<double>(-nearest.y)};
+    const distance::Point way = distance::ToRing({x.x, x.y}, points);
+    return {static_cast<double>(-way.x), static_cast<double>(-way.y)};
 }
 
 void CheckHeight(const bmr_hierarchy *h, bmr_edge id) {

@@ -11,6 +11,7 @@
 #include "exact.h"
 #include "harness.h"
 #include "points.h"
+#include "polygon_distance.h"
 
 namespace {
 
@@ -278,10 +279,13 @@ void CheckBox(const bmr_convex32 *p, fuzz_bytes *bytes) {
 
 /// How far one is from the loop of the first `count` points at most.
 double FarthestVertex(const bmr_convex32 *p, const Points &loop, size_t count) {
-    double far = 0.0;
+    long double far = 0.0L;
+    distance::Points wide;
+    for (size_t i = 0; i < count; ++i)
+        wide.push_back({loop[i].x, loop[i].y});
     for (uint32_t i = 0; i < p->count; ++i)
-        far = std::max(far, loop_distance(loop.data(), count, p->vertices[i]));
-    return far;
+        far = std::max(far, distance::SignedDistance({{p->vertices[i].x, p->vertices[i].y}}, wide));
+    return static_cast<double>(far);
 }
 
 void CheckFewer(const bmr_convex32_block *block, fuzz_bytes *bytes) {
