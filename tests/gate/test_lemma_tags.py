@@ -4,7 +4,7 @@
 
 A lemma is found where it is realised and where it is tested: the table "statements" of core/README.md names both, and both
 carry the statement as a comment "/// Lemma 3.3(a): ...". No row without its tags, no tag without its row, and the numbered
-statements are the paper's, all of them."""
+statements are the paper's, all of them. Other tests that the page names are there, too."""
 import pathlib
 import re
 import sys
@@ -44,6 +44,8 @@ def wrong(texts):
     return "\n".join([f"the table has no {tag}" for tag in NUMBERED - rows] +
                      [f"the paper has no {tag}, which the table has" for tag in rows - NUMBERED] +
                      [f'{file}: {name} has no "/// {tag}: {says}"' for file, name, tag, says in asked - there] +
+                     [f"{file} has no {name}" for file, name in re.findall(r"`(claims/[^`]*)`: `([^`]*)`", texts[TABLE])
+                      if name not in texts.get("tests/" + file, "")] +
                      [f"{file}: {name} has a tag that no row of the table has: {tag}: {says}" for file, name, tag, says in there - asked])
 
 
@@ -60,6 +62,7 @@ CONTROLS = [
     ("has no \"/// Lemma 4.1", "core/hierarchy/mixed_tiling.c", r"(/// Lemma 4.1: .*?)m\) cells", r"\1n) cells"),
     ("a tag that no row of the table has: Lemma 9.9", "core/hierarchy/compass.c", r"/// Lemma 3.3\(a\)", r"/// Lemma 9.9: all is well.\n\g<0>"),
     ("a tag that no row of the table has: Lemma 3.2", "core/geometry/hull.c", r"\nstatic ", r"\n/// Lemma 3.2\nstatic "),
+    ("test_pair.c has no a_flat_box_sliding", "tests/claims/test_pair.c", "a_flat_box", "a_round_box"),
     ("the paper has no Lemma 9.9", TABLE, r"\| Lemma 3.1 ", "| Lemma 9.9 "),
     ("the table has no Theorem 5.3", TABLE, r"\| Theorem 5.3 [^\n]*\n", ""),
     ("the table has no Lemma 3.1", TABLE, "<!-- statements -->", ""),
