@@ -109,6 +109,18 @@ TEST(far_poses_are_apart_up_to_the_largest_double) {
     }
 }
 
+TEST(a_pair_leaves_contact_beyond_margin_and_hysteresis) {
+    FOR_EACH_STRUCTURE(s) {
+        own_couple c = test_couple_make(s, box(1.0, 1.0), box(1.0, 1.0));
+        c.def.margin = 0.01;
+        c.def.hysteresis = 0.02;
+        assert_int_equal(advance(&c, pose(0.0, 2.02, 0.0)), BMR_APART);
+        assert_int_equal(advance(&c, pose(0.0, 2.005, 0.0)), BMR_STAB_POLYGON);
+        assert_int_equal(advance(&c, pose(0.0, 2.02, 0.0)), BMR_STAB_POLYGON);
+        assert_int_equal(advance(&c, pose(0.0, 2.04, 0.0)), BMR_APART);
+    }
+}
+
 TEST(a_pair_does_not_allocate) {
     test_random random = test_random_from(5);
     FOR_EACH_STRUCTURE(s) {
