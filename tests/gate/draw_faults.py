@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: MIT
 """Puts drawn faults into core, the glue and the plugin, one at a time, and lists those that no test notices.
 
-    draw_faults.py [SEED [COUNT [TESTS]]]
+    draw_faults.py [SEED [COUNT]]
 
 A fault is one line with another operator, with another constant, or deleted. The same SEED (1) draws the same COUNT (100) faults from
 the same sources; no list is kept. They are made in a copy of the working tree, in build-faults. A fault that does not compile, or that
-leaves the libraries as they are, is drawn again. The tests run until one fails, the quick ones first; one that hangs notices, too.
-TESTS: a regular expression for the names of the tests that are asked; without it all that are about the code. BMR_JOBS in the
-environment: how many at once. The exit status is 0 if all faults were tried.
+leaves the libraries as they are, is drawn again. All tests that are about the code run until one fails, the quick ones first; one
+that hangs notices, too. BMR_JOBS in the environment: how many at once. The exit status is 0 if all faults were tried.
 """
 import hashlib
 import json
@@ -73,7 +72,7 @@ def draws(seed):
 
 
 class Tree:
-    def __init__(self, tests):
+    def __init__(self):
         self.source, self.build = ROOT / "build-faults", ROOT / "build-faults/build"
         for file in sources():
             there, here = ROOT / file, self.source / file
@@ -86,11 +85,11 @@ class Tree:
         if not self.makes(*LIBRARIES) or not self.makes("tests/all"):
             sys.exit(f"draw_faults.py: {self.source} does not build")
         self.code = self.libraries()
-        self._choose(["--tests-regex", tests] if tests else ["--label-exclude", NOT_ASKED])
+        self._choose()
 
-    def _choose(self, which):
+    def _choose(self):
         """Runs all tests without a fault. Those that pass are asked: in three batches, by the seconds that they took."""
-        said = self._run("ctest", *which, "--parallel", JOBS).stdout
+        said = self._run("ctest", "--label-exclude", NOT_ASKED, "--parallel", JOBS).stdout
         took = {name: (float(seconds), verdict) for name, verdict, seconds in re.findall(
             r"Test +#\d+: (\S+) \.*[ *]*(Passed|[A-Z]\w+) .*?([\d.]+) sec", said)}
         everyone = json.loads(self._run("ctest", "--show-only=json-v1").stdout)["tests"]
@@ -114,8 +113,7 @@ class Tree:
 
     def libraries(self):
         made = re.compile(r"libboomerang_(core|kinetic|box2d\w*|repair|recorder)\.")
-        files = [path for path in sorted(self.build.glob("lib/*")) if made.match(path.name)]
-        return [hashlib.sha256(path.read_bytes()).digest() for path in files]
+        return [hashlib.sha256(path.read_bytes()).digest() for path in sorted(self.build.glob("lib/*")) if made.match(path.name)]
 
     def asks(self, file, number, line):
         """Who notices this line in the place of the file's own; nothing: no test; None: it is no fault."""
@@ -139,8 +137,8 @@ class Tree:
 
 
 def main():
-    seed, count, tests = sys.argv[1:] + ["1", "100", ""][len(sys.argv) - 1:]
-    drawn, tree = draws(int(seed)), Tree(tests)
+    seed, count = sys.argv[1:] + ["1", "100"][len(sys.argv) - 1:]
+    drawn, tree = draws(int(seed)), Tree()
     tried = survived = 0
     while tried < int(count):
         file, number, kind, before, after = next(drawn)
