@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "boomerang/error.h"
 #include "random.h"
 #include "test_scale.h"
 
@@ -64,8 +65,11 @@ __attribute__((noreturn, format(printf, 3, 4))) static inline void check_failed(
 
 static inline void check_integers(long long a, long long b, bool equal, const char *text, const char *file,
                                   int line) {
-    if ((a == b) != equal)
-        check_failed(file, line, "%s: %lld and %lld", text, a, b);
+    if ((a == b) == equal)
+        return;
+    const bool is_error = strstr(text, "BMR_OK") || strstr(text, "BMR_ERROR_");
+    check_failed(file, line, "%s: %lld and %lld%s%s", text, a, b, is_error ? ": " : "",
+                 is_error ? bmr_error_describe((bmr_error)a) : "");
 }
 
 static inline void check_strings(const char *a, const char *b, const char *text, const char *file, int line) {

@@ -241,7 +241,7 @@ void CheckInflated(const bmr_hierarchy *h, fuzz_bytes *bytes) {
 void FuzzOne(fuzz_bytes *bytes, const bmr_polygon *p, bmr_hierarchy_kind kind) {
     bmr_hierarchy *h = nullptr;
     const bmr_error error = bmr_hierarchy_build(kind, p, test_compass(), nullptr, &h);
-    FUZZ_CHECK(error == BMR_OK, "kind %d of %u vertices: error %d", kind, p->count, error);
+    FUZZ_CHECK(error == BMR_OK, "kind %d of %u vertices: %s", kind, p->count, bmr_error_describe(error));
     FUZZ_CHECK(bmr_hierarchy_audit(h) == BMR_OK, "kind %d of %u vertices: audit %d", kind, p->count,
                bmr_hierarchy_audit(h));
     CheckSizes(h);
@@ -377,7 +377,7 @@ void FuzzMixed(fuzz_bytes *bytes, const bmr_polygon *a, bmr_hierarchy_kind kind)
         s.mixed = bmr_mixed_make(s.hierarchies[0], s.hierarchies[1], std::cos(angle), std::sin(angle), 0.0);
         bmr_mixed_tiling *tiling = nullptr;
         const bmr_error error = bmr_mixed_tiling_create(&s.mixed, nullptr, &tiling);
-        FUZZ_CHECK(error == BMR_OK, "tiling: error %d", error);
+        FUZZ_CHECK(error == BMR_OK, "tiling: %s", bmr_error_describe(error));
         CheckTiling(s, tiling);
         for (uint32_t i = 0; i < questions; ++i)
             CheckMixedPoint(s, tiling, bytes);

@@ -92,7 +92,8 @@ void CheckMeasures(const bmr_polygon *polygon) {
                    "normal %u is none of its edge", i);
     }
     FUZZ_CHECK(extent == polygon->extent, "extent %g, really %g", polygon->extent, extent);
-    FUZZ_CHECK(bmr_polygon_audit(polygon) == BMR_OK, "audit: error %d", bmr_polygon_audit(polygon));
+    FUZZ_CHECK(bmr_polygon_audit(polygon) == BMR_OK, "audit: %s",
+               bmr_error_describe(bmr_polygon_audit(polygon)));
 }
 
 /// The hull of the points, exactly: vertices are points of them, strictly convex, and hold all.

@@ -155,7 +155,7 @@ void AskTimeOfContact(const bmr_polygon *a, const bmr_polygon *b, fuzz_bytes *by
     double time = -77.0;
     const bmr_error error = bmr_time_of_contact(&shape_a, motion_a.get(), &shape_b, motion_b.get(), from,
                                                 until, margin, nullptr, &time);
-    FUZZ_CHECK(error == BMR_OK, "time of contact: error %d", error);
+    FUZZ_CHECK(error == BMR_OK, "time of contact: %s", bmr_error_describe(error));
     if (fuzz_control("late-contact"))
         time = INFINITY;
     if (fuzz_control("early-contact"))

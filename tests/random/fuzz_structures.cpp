@@ -77,7 +77,7 @@ void Look(const World &world, const bmr_kds *kds, double time, const bmr_pose &r
     bmr_error audit = bmr_kds_audit(kds, &relative);
     if (fuzz_control("audit"))
         audit = BMR_ERROR_FALSE_CERTIFICATE;
-    FUZZ_CHECK(audit == BMR_OK, "%s: audit at %.17g: error %d", world.info->name, time, audit);
+    FUZZ_CHECK(audit == BMR_OK, "%s: audit at %.17g: %s", world.info->name, time, bmr_error_describe(audit));
 }
 
 void Observe(void *context, const bmr_simulation_event *event) {
@@ -109,7 +109,8 @@ void Replan(World *world, double time, fuzz_bytes *bytes) {
     if (bmr_motion_change(world->motions[body], time, &piece) != BMR_OK)
         return;
     const bmr_error error = bmr_simulation_replan(world->simulation, body);
-    FUZZ_CHECK(error == BMR_OK, "%s: replan at %.17g: error %d", world->info->name, time, error);
+    FUZZ_CHECK(error == BMR_OK, "%s: replan at %.17g: %s", world->info->name, time,
+               bmr_error_describe(error));
 }
 
 void Run(World *world, fuzz_bytes *bytes) {
@@ -120,7 +121,7 @@ void Run(World *world, fuzz_bytes *bytes) {
     const bmr_shape shapes[2] = {world->bodies[0].shape, world->bodies[1].shape};
     const bmr_error made = bmr_simulation_create(&def, shapes, world->motions, 2, 0.0, Observe, world,
                                                  nullptr, &world->simulation);
-    FUZZ_CHECK(made == BMR_OK, "%s: error %d", world->info->name, made);
+    FUZZ_CHECK(made == BMR_OK, "%s: %s", world->info->name, bmr_error_describe(made));
     size_t first, second;
     const bmr_kds *const kds = bmr_simulation_pair(world->simulation, 0, &first, &second);
     double time = 0.0;
@@ -132,7 +133,8 @@ void Run(World *world, fuzz_bytes *bytes) {
         bmr_error error = bmr_simulation_run(world->simulation, time);
         if (fuzz_control("error"))
             error = BMR_ERROR_NOT_FINITE;
-        FUZZ_CHECK(error == BMR_OK, "%s: run to %.17g: error %d", world->info->name, time, error);
+        FUZZ_CHECK(error == BMR_OK, "%s: run to %.17g: %s", world->info->name, time,
+                   bmr_error_describe(error));
         Look(*world, kds, time, PoseAt(*world, time));
         if (!world->touched || fuzz_control("passed-by"))
             LookBack(*world, before, time);
