@@ -2,6 +2,7 @@
 // Rings that are drawn wrongly in each of the known ways become outlines, and many outlines become one.
 #include "boomerang/repair.h"
 #include "cases.h"
+#include "polygon_distance.h"
 #include "polygons.h"
 
 namespace {
@@ -296,14 +297,6 @@ Outline Garbage(test_random *random, const World &world) {
     return outline;
 }
 
-double DistanceToEdge(bmr_vec2 p, bmr_vec2 a, bmr_vec2 b) {
-    const bmr_vec2 edge = bmr_sub(b, a), way = bmr_sub(p, a);
-    const double square = bmr_dot(edge, edge);
-    const double along = square > 0.0 ? std::clamp(bmr_dot(way, edge) / square, 0.0, 1.0) : 0.0;
-    const bmr_vec2 off = bmr_sub(way, bmr_scale(along, edge));
-    return std::sqrt(bmr_dot(off, off));
-}
-
 /// Where a point is among rings.
 struct Side {
     int around = 0;         ///< how often rings go around it counter-clockwise
@@ -317,7 +310,8 @@ Side SideOf(const Outline &outline, bmr_vec2 p) {
     for (const uint32_t count : outline.counts) {
         for (uint32_t i = 0; i < count; ++i) {
             const bmr_vec2 a = outline.points[begin + i], b = outline.points[begin + (i + 1) % count];
-            side.nearest = std::min(side.nearest, DistanceToEdge(p, a, b));
+            const distance::Point way = distance::ToSegment({p.x, p.y}, {a.x, a.y}, {b.x, b.y});
+            side.nearest = std::min(side.nearest, static_cast<double>(std::hypot(way.x, way.y)));
             if ((a.y <= p.y) == (b.y <= p.y))
                 continue;
             const double turn = bmr_cross(bmr_sub(b, a), bmr_sub(p, a));

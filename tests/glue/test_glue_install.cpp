@@ -5,8 +5,6 @@
 #include <iterator>
 #include <string>
 
-#include <sys/wait.h>
-
 #include "as_stock.h"
 #include "start/install.h"
 #include "start/settings.h"
@@ -81,19 +79,14 @@ TEST_CASE("who asks is told what is at work") {
 TEST_CASE("a file that BOOMERANG_COUNTS names gets what is counted, when the process ends") {
     const std::string name = NameFor(".counts");
     setenv("BOOMERANG_COUNTS", name.c_str(), 1);
-    std::fflush(nullptr);
-    const pid_t child = fork();
-    if (child == 0) {
-        bmr::Install();
-        std::exit(bmr::GetSettings().options.statistics ? 0 : 1);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
+    CHECK(InChild([](Run &) {
+              bmr::Install();
+              std::exit(bmr::GetSettings().options.statistics ? 0 : 1);
+          }) == "");
     unsetenv("BOOMERANG_COUNTS");
     std::ifstream file(name);
     const std::string counts((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     std::remove(name.c_str());
-    CHECK(status == 0);
     CHECK(counts.find("evaluations 0\n") != std::string::npos);
     CHECK(counts.find("way ahead of Box2D 2.4.1\n") != std::string::npos);
 }

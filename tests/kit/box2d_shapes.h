@@ -11,6 +11,7 @@
 #include <box2d/b2_draw.h>
 #include <box2d/b2_polygon_shape.h>
 
+#include "polygon_distance.h"
 #include "random.h"
 
 /// @file
@@ -89,13 +90,6 @@ inline Point Place(const b2Transform &xf, const b2Vec2 &v) {
     return {c * x - s * y + double{xf.p.x}, s * x + c * y + double{xf.p.y}};
 }
 
-inline double DistanceToSegment(Point p, Point a, Point b) {
-    const double x = b.x - a.x, y = b.y - a.y;
-    const double square = x * x + y * y;
-    const double t = square > 0.0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / square, 0.0, 1.0) : 0.0;
-    return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
-}
-
 /// What is true of two convex polygons at float poses, radii left out.
 struct Truth {
     double distance;  ///< 0 where they overlap
@@ -112,7 +106,8 @@ inline Truth Measure(const std::vector<Point> &a, const std::vector<Point> &b) {
             const Point from = mine[i], to = mine[i + 1 < mine.size() ? i + 1 : 0];
             double side = INFINITY;
             for (const Point &p : theirs) {
-                least = std::min(least, DistanceToSegment(p, from, to));
+                const distance::Point way = distance::ToSegment({p.x, p.y}, {from.x, from.y}, {to.x, to.y});
+                least = std::min(least, static_cast<double>(std::hypot(way.x, way.y)));
                 corners = std::min(corners, std::hypot(p.x - from.x, p.y - from.y));
                 side = std::min(side, (to.y - from.y) * (p.x - from.x) - (to.x - from.x) * (p.y - from.y));
             }
