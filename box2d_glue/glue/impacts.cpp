@@ -124,7 +124,7 @@ void ImpactPass::BeginBodies() {
         BodyInIsland::Clear(body);
         SweepOf(body).alpha0 = 0.0f;
     };
-    if (bodies != nullptr && bodies->AreAlone() && !bodies->MayBeDisplaced()) {
+    if (bodies != nullptr && bodies->OnlyAwakeInIslands() && !bodies->MayBeDisplaced()) {
         for (uint32_t i = 0; i < bodies->AwakeCount(); ++i)
             begin(bodies->Awake(i));
         return;

@@ -72,7 +72,7 @@ private:
     bool m_mayLink = false;       ///< no gear joint reads the places of bodies in islands
     bool m_isLinked = false;      ///< the links are all contacts that touch of bodies that are awake
     bool m_seedsAreAwake = false; ///< they are Bodies::Awake
-    bool m_awakeAlone = false;    ///< only bodies of Bodies::Awake are in islands
+    bool m_onlyAwake = false;     ///< only bodies of Bodies::Awake are in islands
     bool m_gameWasCalled = false; ///< PostSolve; and contacts were enabled ahead of it
 };
 
@@ -114,16 +114,16 @@ void IslandPass::ClearFlags() {
     }
     m_mayLink = !hasGear;
     // (Where Bodies finds who is awake it has put all bodies out of islands.)
-    m_awakeAlone = m_table != nullptr && m_mayLink &&
-                   m_table->bodies.FindAwake(m_world->GetBodyList(), m_world->GetBodyCount());
-    for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
+    m_onlyAwake = m_table != nullptr && m_mayLink &&
+                  m_table->bodies.FindAwake(m_world->GetBodyList(), m_world->GetBodyCount());
+    for (b2Body *body = m_onlyAwake ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         BodyInIsland::Clear(body);
         LinkOf(body) &= ~(kSlept | kLinked); // Box2D sets no place when it makes a body
         if (m_mayLink && body->GetType() != b2_staticBody && !body->IsAwake())
             LinkOf(body) |= kSlept;
     }
-    for (uint32_t i = 0; m_awakeAlone && i < m_table->bodies.AwakeCount(); ++i)
+    for (uint32_t i = 0; m_onlyAwake && i < m_table->bodies.AwakeCount(); ++i)
         LinkOf(m_table->bodies.Awake(i)) &= ~(kSlept | kLinked);
     // (By a table each island clears the marks of its contacts.)
     for (b2Contact *contact = m_table != nullptr ? nullptr : m_manager->m_contactList; contact != nullptr;
@@ -172,7 +172,7 @@ void IslandPass::LinkTo(b2Body *body, b2Contact *contact, b2Body *other) {
 // Islands.
 
 b2Body *IslandPass::FirstSeed() {
-    m_seedsAreAwake = m_awakeAlone && m_table != nullptr;
+    m_seedsAreAwake = m_onlyAwake && m_table != nullptr;
     if (!m_seedsAreAwake)
         return m_world->GetBodyList();
     return m_table->bodies.AwakeCount() > 0 ? m_table->bodies.Awake(0) : nullptr;
@@ -220,7 +220,7 @@ void IslandPass::Take(b2Body *body) {
 void IslandPass::WakeInIsland(b2Body *body) {
     uint16 &flags = body->*Named(BodyFlags());
     flags = static_cast<uint16>(flags | BodyInIsland::kAwake);
-    m_awakeAlone = false;
+    m_onlyAwake = false;
     if (m_table != nullptr)
         m_table->AwakenPassed(body);
 }
@@ -268,7 +268,7 @@ void IslandPass::SolveIsland() {
 void IslandPass::AfterGame() {
     m_gameWasCalled = true;
     m_isLinked = m_isLinked && !m_seedsAreAwake;
-    m_seedsAreAwake = m_awakeAlone = false;
+    m_seedsAreAwake = m_onlyAwake = false;
     if (m_table == nullptr || !HasLeft(m_table))
         return;
     m_table = nullptr;
@@ -282,13 +282,13 @@ void IslandPass::AfterGame() {
 /// Boxes follow the bodies that were in islands, in Box2D's order.
 void IslandPass::Synchronize() {
     if (m_table != nullptr)
-        m_table->bodies.SetAlone(m_awakeAlone);
-    for (b2Body *body = m_awakeAlone ? nullptr : m_world->GetBodyList(); body != nullptr;
+        m_table->bodies.SetOnlyAwakeInIslands(m_onlyAwake);
+    for (b2Body *body = m_onlyAwake ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         PutPlaceBack(body);
         Follow(body);
     }
-    for (uint32_t i = 0; m_awakeAlone && i < m_table->bodies.AwakeCount(); ++i)
+    for (uint32_t i = 0; m_onlyAwake && i < m_table->bodies.AwakeCount(); ++i)
         Follow(m_table->bodies.Awake(i));
 }
 

@@ -57,7 +57,8 @@ void ClearForces(b2World *world, PairTable *table) {
         body->*Named(Torque()) = 0.0f;
     };
     // Code of the game may have woken bodies, and have pushed them, since the list was made.
-    if (table != nullptr && !table->WasLeft() && table->bodies.AreAlone() && !table->deferred.GameRan()) {
+    if (table != nullptr && !table->WasLeft() && table->bodies.OnlyAwakeInIslands() &&
+        !table->deferred.GameRan()) {
         for (uint32_t i = 0; i < table->bodies.AwakeCount(); ++i)
             clear(table->bodies.Awake(i));
         return;

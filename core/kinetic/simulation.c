@@ -42,7 +42,7 @@ typedef struct pair {
     size_t failing;          ///< FAIL: index of the condition
     bmr_condition condition; ///< FAIL: itself
     double searched;         ///< nothing happens until then but what the queue has
-    double from;             ///< when it was last repaired
+    double from;             ///< where its next search begins
     double period;           ///< about the time between its last events
     double burst_start;
     unsigned burst;

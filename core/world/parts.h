@@ -112,7 +112,8 @@ struct bmr_body_pair {
     int32_t image[2];                    ///< so many boxes are added to the second's position
     uint8_t event;                       ///< bmr_pair_due
     uint8_t watch;                       ///< bmr_watch
-    bool linked, neighbours, kept;       ///< cells are; scratch
+    bool linked, neighbours;             ///< it is in the lists of both; the two's cells are neighbours
+    bool kept;                           ///< scratch of a search: the two's cells still are neighbours
     bmr_near *near;                      ///< NULL with WATCH_DISKS
 };
 

@@ -26,8 +26,8 @@ public:
 
     /// In this step islands hold only bodies that are awake. Not known, and so not true, until the islands
     /// are solved.
-    void SetAlone(bool alone) { m_alone = alone; }
-    bool AreAlone() const { return m_alone; }
+    void SetOnlyAwakeInIslands(bool only) { m_onlyAwakeInIslands = only; }
+    bool OnlyAwakeInIslands() const { return m_onlyAwakeInIslands; }
 
     /// An impact, or a search of Box2D's own, leaves bodies displaced in their sweeps. (Box2D puts all of
     /// them back as it begins to search: the bodies that are asleep would have to be asked one by one.)
@@ -44,7 +44,7 @@ private:
 
     Column<b2Body *> m_bodies, m_awake;
     uint32_t m_count = 0, m_awakeCount = 0, m_waits = 0;
-    bool m_alone = false, m_displaced = true;
+    bool m_onlyAwakeInIslands = false, m_displaced = true;
 };
 
 inline void Bodies::ReadList(b2Body *newest, uint32_t count) {

@@ -43,7 +43,7 @@ bool PairTable::Follow() {
                 SetTouching(i, m_contacts[i]->IsTouching());
     }
     motions.ForgetSums();
-    bodies.SetAlone(false);
+    bodies.SetOnlyAwakeInIslands(false);
     m_interrupted = false;
     return true;
 }
