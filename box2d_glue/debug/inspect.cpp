@@ -11,7 +11,7 @@
 #include "convex32/convex32_collide.h"
 #include "glue/contacts/convex_contact.h"
 #include "glue/contacts/solid_contact.h"
-#include "glue/pairs/pair_table.h"
+#include "glue/pairs/pair_tables.h"
 #include "glue/proofs/thresholds.h"
 #include "start/settings.h"
 

@@ -14,7 +14,7 @@
 #include "base/rounding_mode.h"
 #include "debug/statistics.h"
 #include "glue/contacts/solid_contact.h"
-#include "glue/pairs/pair_table.h"
+#include "glue/pairs/pair_tables.h"
 #include "glue/proofs/thresholds.h"
 #include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"

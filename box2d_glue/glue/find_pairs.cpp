@@ -12,7 +12,7 @@
 #include "base/private_members.h"
 #include "debug/verify.h"
 #include "glue/contacts/solid_contact.h"
-#include "glue/pairs/pair_table.h"
+#include "glue/pairs/pair_tables.h"
 #include "start/settings.h"
 #include "tree/pair_descent.h"
 

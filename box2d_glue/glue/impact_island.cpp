@@ -7,6 +7,7 @@
 #include "base/private_members.h"
 #include "glue/contacts/solid_contact.h"
 #include "glue/impacts.h"
+#include "glue/pairs/pair_tables.h"
 #include "glue/passes.h"
 #include "solver/island_solver.h"
 #include "tree/edit.h"

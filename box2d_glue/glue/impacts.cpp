@@ -9,6 +9,7 @@
 
 #include "base/rounding_mode.h"
 #include "glue/contacts/solid_contact.h"
+#include "glue/pairs/pair_tables.h"
 #include "glue/proofs/convex_distance.h"
 #include "glue/proofs/sweep_apart.h"
 #include "shapes/big_polygons.h"

@@ -9,7 +9,7 @@
 #include <box2d/b2_joint.h>
 
 #include "glue/contacts/solid_contact.h"
-#include "glue/pairs/pair_table.h"
+#include "glue/pairs/pair_tables.h"
 #include "solver/island_solver.h"
 #include "tree/edit.h"
 

@@ -10,7 +10,7 @@
 
 #include "base/private_members.h"
 #include "base/rounding_mode.h"
-#include "glue/pairs/pair_table.h"
+#include "glue/pairs/pair_tables.h"
 #include "solver/island_solver.h"
 
 namespace bmr {

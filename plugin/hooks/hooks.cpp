@@ -15,7 +15,7 @@
 #include "boomerang/box2d_glue.h"
 #include "debug/statistics.h"
 #include "glue/contacts/solid_contact.h"
-#include "glue/pairs/pair_table.h"
+#include "glue/pairs/pair_tables.h"
 #include "glue/passes.h"
 #include "glue/proofs/convex_distance.h"
 #include "hooks/start.h"

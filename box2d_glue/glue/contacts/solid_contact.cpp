@@ -11,7 +11,7 @@
 #include "debug/statistics.h"
 #include "debug/verify.h"
 #include "glue/contacts/convex_contact.h"
-#include "glue/pairs/pair_table.h"
+#include "glue/pairs/pair_tables.h"
 #include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 #include "start/settings.h"

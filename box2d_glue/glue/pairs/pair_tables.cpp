@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "glue/pairs/pair_table.h"
+#include "glue/pairs/pair_tables.h"
 
 #include <cstddef>
 #include <cstdint>
