@@ -83,7 +83,7 @@ void AddOutlines(std::vector<SceneInfo> &scenes);
 /// file says, in this order,
 ///
 ///     course STEPS TIMESTEP
-///     outline N X Y X Y ..             of A, counter-clockwise; then another, of B
+///     polygon N X Y X Y ..             of A, counter-clockwise; then another, of B
 ///     XA YA ANGLEA XB YB ANGLEB        STEPS + 1 times; angles go on beyond pi
 ///
 /// Box2D integrates: each step gives the bodies the velocities that take them to their next pose. A is

@@ -24,9 +24,9 @@ b2PolygonShape MakeBox(float halfWidth, float halfHeight, b2Vec2 center, float a
 }
 
 b2PolygonShape MakeRegular(int count, float radius, float phase) {
-    const Outline outline = RegularOutline(count, radius, phase);
+    const Vertices vertices = RegularVertices(count, radius, phase);
     b2PolygonShape shape;
-    shape.Set(outline.data(), static_cast<int32>(outline.size()));
+    shape.Set(vertices.data(), static_cast<int32>(vertices.size()));
     return shape;
 }
 
@@ -43,30 +43,30 @@ b2EdgeShape MakeEdge(b2Vec2 from, b2Vec2 to) {
     return shape;
 }
 
-Outline RegularOutline(int count, float radius, float phase) {
-    Outline outline;
+Vertices RegularVertices(int count, float radius, float phase) {
+    Vertices vertices;
     for (int i = 0; i < count; ++i)
-        outline.push_back(OnCircle(radius, phase + NthAngle(i, count)));
-    return outline;
+        vertices.push_back(OnCircle(radius, phase + NthAngle(i, count)));
+    return vertices;
 }
 
-Outline RoughOutline(Random &random, int count, float inner, float outer) {
-    Outline outline;
+Vertices RoughVertices(Random &random, int count, float inner, float outer) {
+    Vertices vertices;
     for (int i = 0; i < count; ++i)
-        outline.push_back(OnCircle(random.Uniform(inner, outer), NthAngle(i, count)));
-    return outline;
+        vertices.push_back(OnCircle(random.Uniform(inner, outer), NthAngle(i, count)));
+    return vertices;
 }
 
-Outline StarOutline(int count, float inner, float outer) {
-    Outline outline;
+Vertices StarVertices(int count, float inner, float outer) {
+    Vertices vertices;
     for (int i = 0; i < count; ++i) {
         float radius = i % 2 == 0 ? outer : inner;
         // Two neighbouring points of an odd star would both be at `outer`.
         if (count % 2 == 1 && i == count - 1)
             radius = 0.5f * (inner + outer);
-        outline.push_back(OnCircle(radius, NthAngle(i, count)));
+        vertices.push_back(OnCircle(radius, NthAngle(i, count)));
     }
-    return outline;
+    return vertices;
 }
 
 b2Body *AddArena(Stage &stage, b2Vec2 center, float halfWidth, float halfHeight, float restitution) {
@@ -82,9 +82,9 @@ b2Body *AddArena(Stage &stage, b2Vec2 center, float halfWidth, float halfHeight,
     return arena;
 }
 
-Outline MakeHills(Random &random, b2Vec2 from, float width, const Swell &swell) {
+Vertices MakeHills(Random &random, b2Vec2 from, float width, const Swell &swell) {
     constexpr float wall = 20.0f, step = 1.0f;
-    Outline hills{{from.x, from.y + wall}};
+    Vertices hills{{from.x, from.y + wall}};
     for (float x = 0.0f; x <= width; x += step) {
         const float y = swell.height * std::sin(swell.frequency * x);
         hills.push_back(from + b2Vec2(x, y + random.Uniform(-swell.roughness, swell.roughness)));
@@ -93,14 +93,14 @@ Outline MakeHills(Random &random, b2Vec2 from, float width, const Swell &swell) 
     return hills;
 }
 
-void AddEdges(Stage &stage, const Outline &hills, float friction) {
+void AddEdges(Stage &stage, const Vertices &hills, float friction) {
     b2Body *ground = stage.AddBody(b2_staticBody, {0.0f, 0.0f});
     for (std::size_t i = 0; i + 1 < hills.size(); ++i)
         stage.AddFixture(ground, Material(0.0f, friction), MakeEdge(hills[i], hills[i + 1]));
 }
 
-void AddChain(Stage &stage, const Outline &hills) {
-    const Outline reversed(hills.rbegin(), hills.rend());
+void AddChain(Stage &stage, const Vertices &hills) {
+    const Vertices reversed(hills.rbegin(), hills.rend());
     b2ChainShape chain;
     chain.CreateChain(reversed.data(), static_cast<int32>(reversed.size()), reversed.front() + b2Vec2(0, 1),
                       reversed.back() + b2Vec2(0, 1));
@@ -174,25 +174,25 @@ b2FixtureDef Material(float density, float friction, float restitution) {
 
 namespace {
 
-/// A convex outline in pieces of at most 8 vertices, all of which share its first vertex.
-std::vector<Outline> CutConvex(const Outline &outline) {
+/// A convex polygon in pieces of at most 8 vertices, all of which share its first vertex.
+std::vector<Vertices> CutConvex(const Vertices &vertices) {
     constexpr int added = b2_maxPolygonVertices - 1; // a piece is the first vertex and a run of these
-    std::vector<Outline> pieces;
-    const int count = static_cast<int>(outline.size());
+    std::vector<Vertices> pieces;
+    const int count = static_cast<int>(vertices.size());
     for (int first = 1; first < count - 1; first += added - 1) {
         const int last = std::min(first + added - 1, count - 1);
-        Outline piece{outline.front()};
-        piece.insert(piece.end(), outline.begin() + first, outline.begin() + last + 1);
+        Vertices piece{vertices.front()};
+        piece.insert(piece.end(), vertices.begin() + first, vertices.begin() + last + 1);
         pieces.push_back(std::move(piece));
     }
     return pieces;
 }
 
-Fixtures MakePolygons(const std::vector<Outline> &outlines) {
+Fixtures MakePolygons(const std::vector<Vertices> &polygons) {
     std::vector<std::unique_ptr<b2Shape>> pieces;
-    for (const Outline &outline : outlines) {
+    for (const Vertices &vertices : polygons) {
         auto shape = std::make_unique<b2PolygonShape>();
-        shape->Set(outline.data(), static_cast<int32>(outline.size()));
+        shape->Set(vertices.data(), static_cast<int32>(vertices.size()));
         pieces.push_back(std::move(shape));
     }
     return Fixtures(std::move(pieces));
@@ -211,14 +211,14 @@ const char *NameOf(BodyKind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
-Fixtures AnySizePolygon(BodyKind kind, const Outline &outline) {
-    return kind == BodyKind::One ? MakeOne(MakeOnePolygon(outline)) : MakePolygons(CutConvex(outline));
+Fixtures AnySizePolygon(BodyKind kind, const Vertices &vertices) {
+    return kind == BodyKind::One ? MakeOne(MakeOnePolygon(vertices)) : MakePolygons(CutConvex(vertices));
 }
 
 Fixtures AnySizePolygon(const PolygonChoice &choice, float radius, float phase) {
     if (choice.bodies == BodyKind::Circle)
         return MakeOne(std::make_unique<b2CircleShape>(MakeCircle(radius)));
-    return AnySizePolygon(choice.bodies, RegularOutline(choice.vertices, radius, phase));
+    return AnySizePolygon(choice.bodies, RegularVertices(choice.vertices, radius, phase));
 }
 
 void Fixtures::AddTo(Stage &stage, b2Body *body, const b2FixtureDef &def) const {
@@ -226,10 +226,10 @@ void Fixtures::AddTo(Stage &stage, b2Body *body, const b2FixtureDef &def) const 
         stage.AddFixture(body, def, *piece);
 }
 
-Concave StarShaped(const Outline &outline) {
-    Concave concave{outline, {}, {}};
-    for (std::size_t i = 0; i < outline.size(); ++i)
-        concave.triangles.push_back({b2Vec2(0.0f, 0.0f), outline[i], outline[(i + 1) % outline.size()]});
+Concave StarShaped(const Vertices &ring) {
+    Concave concave{ring, {}, {}};
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        concave.triangles.push_back({b2Vec2(0.0f, 0.0f), ring[i], ring[(i + 1) % ring.size()]});
     return concave;
 }
 

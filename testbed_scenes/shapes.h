@@ -16,7 +16,7 @@
 namespace testbed {
 
 /// Counter-clockwise vertices, in the body's frame.
-using Outline = std::vector<b2Vec2>;
+using Vertices = std::vector<b2Vec2>;
 
 b2PolygonShape MakeBox(float halfWidth, float halfHeight, b2Vec2 center = {0.0f, 0.0f}, float angle = 0.0f);
 /// A regular polygon of 3 to 8 vertices.
@@ -24,12 +24,12 @@ b2PolygonShape MakeRegular(int count, float radius, float phase = 0.0f);
 b2CircleShape MakeCircle(float radius, b2Vec2 center = {0.0f, 0.0f});
 b2EdgeShape MakeEdge(b2Vec2 from, b2Vec2 to);
 
-/// The outline of a regular polygon of any size.
-Outline RegularOutline(int count, float radius, float phase = 0.0f);
+/// Those of a regular polygon of any size.
+Vertices RegularVertices(int count, float radius, float phase = 0.0f);
 /// Star-shaped about the origin, of `count` vertices whose distances from it are random in [inner, outer).
-Outline RoughOutline(Random &random, int count, float inner, float outer);
+Vertices RoughVertices(Random &random, int count, float inner, float outer);
 /// `count` vertices, alternately at `outer` and at `inner`; an odd one out lies halfway.
-Outline StarOutline(int count, float inner, float outer);
+Vertices StarVertices(int count, float inner, float outer);
 
 /// A closed arena about `center`: one static body of four wide walls, whose inner sides are halfWidth and
 /// halfHeight away. The walls touch at their corners.
@@ -41,11 +41,11 @@ struct Swell {
     float frequency, height, roughness;
 };
 /// Hills from left to right, a point a metre; the walls at both ends keep everything in.
-Outline MakeHills(Random &random, b2Vec2 from, float width, const Swell &swell);
+Vertices MakeHills(Random &random, b2Vec2 from, float width, const Swell &swell);
 /// Edges that know nothing of each other, as a level of separate segments has them.
-void AddEdges(Stage &stage, const Outline &hills, float friction);
+void AddEdges(Stage &stage, const Vertices &hills, float friction);
 /// One-sided, from right to left, so that its front is up.
-void AddChain(Stage &stage, const Outline &hills);
+void AddChain(Stage &stage, const Vertices &hills);
 
 /// A car on two sprung wheels, above a place of the road. The joint is that of the rear wheel, which has a
 /// motor.
@@ -88,27 +88,27 @@ private:
 };
 
 /// Counter-clockwise, strictly convex. Throws std::runtime_error where this worker has no such shape.
-Fixtures AnySizePolygon(BodyKind kind, const Outline &outline);
+Fixtures AnySizePolygon(BodyKind kind, const Vertices &vertices);
 /// A regular polygon around the origin; or the circle that goes through its vertices.
 Fixtures AnySizePolygon(const PolygonChoice &choice, float radius, float phase = 0.0f);
 
 /// One shape with all these vertices: a b2PolygonShape up to 8, above what the plugin has. Each worker has
 /// its own; stock's throws std::runtime_error above 8.
-std::unique_ptr<b2Shape> MakeOnePolygon(const Outline &outline);
+std::unique_ptr<b2Shape> MakeOnePolygon(const Vertices &vertices);
 /// All vertices of a polygon, also of one with more than 8, in its body's frame.
-Outline VerticesOf(const b2PolygonShape &polygon);
+Vertices VerticesOf(const b2PolygonShape &polygon);
 
 // --- concave bodies ---
 
 /// An outline, and triangles that it can be cut into.
 struct Concave {
-    Outline ring; ///< the outer one
-    std::vector<Outline> holes;
-    std::vector<Outline> triangles;
+    Vertices ring; ///< the outer one
+    std::vector<Vertices> holes;
+    std::vector<Vertices> triangles;
 };
 
 /// An outline that is star-shaped about the origin: its triangles are its edges, each with the origin.
-Concave StarShaped(const Outline &outline);
+Concave StarShaped(const Vertices &ring);
 
 /// Pieces within `tolerance` of the outline. Throws std::runtime_error where this worker has none.
 Fixtures OutlinedBody(BodyKind kind, const Concave &concave, float tolerance = 0.0f);

@@ -54,7 +54,7 @@ void WriteCourse(const Course &course, double scale, int steps, const std::strin
     out << std::setprecision(9) << "course " << steps << ' ' << kTimeStep << '\n';
     for (int body = 0; body < 2; ++body) {
         const std::vector<bmr_vec2> vertices = course.BodyOf(body).Vertices();
-        out << "outline " << vertices.size();
+        out << "polygon " << vertices.size();
         for (const bmr_vec2 &vertex : vertices)
             out << ' ' << scale * vertex.x << ' ' << scale * vertex.y;
         out << '\n';

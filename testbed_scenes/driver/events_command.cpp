@@ -66,7 +66,7 @@ std::vector<const bmr_kds_info *> StructuresFor(const std::string &word) {
     return found;
 }
 
-bmr_ngon OutlineFor(const std::string &word) {
+bmr_ngon NgonFor(const std::string &word) {
     return static_cast<bmr_ngon>(IndexOf("shape", word, ShapeNames()));
 }
 
@@ -99,10 +99,10 @@ Experiment ExperimentFor(const EventsCommand &command) {
     const size_t colon = command.shape.find(':');
     const std::string a = command.shape.substr(0, colon),
                       b = colon == std::string::npos ? a : command.shape.substr(colon + 1);
-    experiment.outlines[0] = OutlineFor(a);
+    experiment.ngons[0] = NgonFor(a);
     experiment.point = b == "point";
     if (!experiment.point)
-        experiment.outlines[1] = OutlineFor(b);
+        experiment.ngons[1] = NgonFor(b);
     std::vector<std::string> words = command.structures;
     if (words.empty())
         words = {experiment.point ? "points" : "rigid", "rivals"};

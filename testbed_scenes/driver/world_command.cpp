@@ -352,7 +352,7 @@ void AddWorld(CLI::App &app, Program &program) {
     std::vector<std::string> shapes =
         NamesOf(BMR_NGON_COUNT, [](size_t i) { return bmr_ngon_name(static_cast<bmr_ngon>(i)); });
     shapes.insert(shapes.begin(), "mixed");
-    world->add_option("--shape", choice.shape, "Outline of the polygons; mixed: all in turn")
+    world->add_option("--shape", choice.shape, "Shape of the polygons; mixed: all in turn")
         ->check(CLI::IsMember(shapes));
     read("--vertices", "N, or FEWEST:MOST, from which each body draws", ReadVertices);
     world

@@ -9,11 +9,11 @@
 namespace testbed {
 namespace {
 
-Outline EllipseOutline(int count, float halfWidth, float halfHeight) {
-    Outline outline = RegularOutline(count, 1.0f);
-    for (b2Vec2 &vertex : outline)
+Vertices EllipseVertices(int count, float halfWidth, float halfHeight) {
+    Vertices vertices = RegularVertices(count, 1.0f);
+    for (b2Vec2 &vertex : vertices)
         vertex.Set(halfWidth * vertex.x, halfHeight * vertex.y);
-    return outline;
+    return vertices;
 }
 
 class BulletsAtThin final : public Scene {
@@ -22,7 +22,7 @@ class BulletsAtThin final : public Scene {
         AddTargets(stage);
         const PolygonChoice &choice = stage.Polygons();
         const Fixtures ball = AnySizePolygon(choice, 0.15f);
-        const Fixtures shell = AnySizePolygon(choice.bodies, EllipseOutline(choice.vertices, 0.25f, 0.1f));
+        const Fixtures shell = AnySizePolygon(choice.bodies, EllipseVertices(choice.vertices, 0.25f, 0.1f));
         for (int i = 0; i < size; ++i) {
             b2BodyDef def;
             def.type = b2_dynamicBody;
@@ -48,7 +48,7 @@ class BulletsAtThin final : public Scene {
         for (int column = 0; column < columns; ++column) {
             const float x = 5.0f * (static_cast<float>(column) - 0.5f * (columns - 1));
             b2Body *body = stage.AddBody(b2_staticBody, {x, 0.0f});
-            Outline zigzag;
+            Vertices zigzag;
             for (int row = 0; row < rows; ++row) {
                 const float y = 3.4f * (static_cast<float>(row) - 0.5f * (rows - 1));
                 const float turn = stage.Rng().Uniform(-0.7f, 0.7f);
@@ -99,7 +99,7 @@ class Bag final : public Scene {
 
     static void AddHills(Stage &stage) {
         constexpr float wall = 25.0f, halfWidth = 12.0f;
-        Outline hills{{-halfWidth, wall}};
+        Vertices hills{{-halfWidth, wall}};
         for (float x = -halfWidth; x <= halfWidth; x += 0.5f)
             hills.push_back({x, 1.2f * std::cos(0.8f * x) + 0.02f * x * x});
         hills.push_back({halfWidth, wall});
@@ -117,11 +117,11 @@ class Bag final : public Scene {
             AnySizePolygon(choice, size).AddTo(stage, body, wood);
             break;
         case 1:
-            AnySizePolygon(choice.bodies, EllipseOutline(choice.vertices, size, 0.5f * size))
+            AnySizePolygon(choice.bodies, EllipseVertices(choice.vertices, size, 0.5f * size))
                 .AddTo(stage, body, wood);
             break;
         case 2:
-            AnySizePolygon(choice.bodies, CapsuleOutline(choice.vertices, size, 0.4f * size))
+            AnySizePolygon(choice.bodies, CapsuleVertices(choice.vertices, size, 0.4f * size))
                 .AddTo(stage, body, wood);
             break;
         case 3:
@@ -133,16 +133,16 @@ class Bag final : public Scene {
     }
 
     /// An even number of vertices: half of them around each end.
-    static Outline CapsuleOutline(int count, float half, float radius) {
+    static Vertices CapsuleVertices(int count, float half, float radius) {
         const int each = count / 2;
-        Outline outline;
+        Vertices vertices;
         for (int i = 0; i < 2 * each; ++i) {
             const int side = i / each;
             const float t = b2_pi * (static_cast<float>(i % each) / static_cast<float>(each - 1) - 0.5f +
                                      static_cast<float>(side));
-            outline.push_back({(side == 0 ? half : -half) + radius * std::cos(t), radius * std::sin(t)});
+            vertices.push_back({(side == 0 ? half : -half) + radius * std::cos(t), radius * std::sin(t)});
         }
-        return outline;
+        return vertices;
     }
 
     int m_left = 0;

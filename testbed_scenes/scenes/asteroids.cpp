@@ -17,11 +17,11 @@ class Drifters final : public Scene {
         const Grid grid(size, 4, 3.6f);
         AddArena(stage, {0.0f, 0.0f}, grid.halfWidth, grid.halfHeight, 1.0f);
         for (int i = 0; i < size; ++i) {
-            Outline outline = RegularOutline(3 + i % 6, 1.0f);
-            for (b2Vec2 &vertex : outline)
+            Vertices vertices = RegularVertices(3 + i % 6, 1.0f);
+            for (b2Vec2 &vertex : vertices)
                 vertex.x *= 1.8f;
             b2PolygonShape polygon;
-            polygon.Set(outline.data(), static_cast<int32>(outline.size()));
+            polygon.Set(vertices.data(), static_cast<int32>(vertices.size()));
             const b2BodyDef def = Drifting(stage.Rng(), grid.Place(i), 1.0f, 2.0f, 1.0f);
             stage.AddFixture(stage.AddBody(def), Material(1.0f, 0.1f, 1.0f), polygon);
         }
@@ -38,7 +38,7 @@ class Asteroids final : public Scene {
         for (int i = 0; i < size; ++i) {
             const b2BodyDef def = Drifting(stage.Rng(), grid.Place(i), 0.5f, 3.0f, 1.0f);
             const int points = fewest + stage.Rng().Index(std::max(choice.vertices - fewest, 0) + 1);
-            const Concave rock = StarShaped(RoughOutline(stage.Rng(), points, 1.0f, 1.8f));
+            const Concave rock = StarShaped(RoughVertices(stage.Rng(), points, 1.0f, 1.8f));
             OutlinedBody(choice.bodies, rock).AddTo(stage, stage.AddBody(def), Material(1.0f, 0.1f, 1.0f));
         }
     }
@@ -55,7 +55,7 @@ class StarPile final : public Scene {
             b2Body *body = stage.AddBody(b2_dynamicBody, InRows(i, columns, spacing, 1.1f),
                                          stage.Rng().Uniform(-b2_pi, b2_pi));
             const int triangles = 10 + stage.Rng().Index(22);
-            OutlinedBody(BodyKind::Many, StarShaped(StarOutline(triangles, 0.55f, 1.0f)))
+            OutlinedBody(BodyKind::Many, StarShaped(StarVertices(triangles, 0.55f, 1.0f)))
                 .AddTo(stage, body, Material(1.0f, 0.4f));
         }
     }

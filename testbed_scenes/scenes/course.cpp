@@ -15,7 +15,7 @@ struct PosedBody {
 struct CourseFile {
     int steps = 0;
     float timeStep = 0.0f;
-    Outline outlines[2];
+    Vertices polygons[2];
     std::vector<PosedBody> poses[2];
 };
 
@@ -30,11 +30,11 @@ CourseFile ReadCourse(const std::string &file) {
     CourseFile course;
     std::string word;
     stream >> word >> course.steps >> course.timeStep;
-    for (Outline &outline : course.outlines) {
+    for (Vertices &polygon : course.polygons) {
         std::size_t count = 0;
         stream >> word >> count;
-        outline.resize(count);
-        for (b2Vec2 &vertex : outline)
+        polygon.resize(count);
+        for (b2Vec2 &vertex : polygon)
             stream >> vertex.x >> vertex.y;
     }
     for (int i = 0; i <= course.steps; ++i)
@@ -57,7 +57,7 @@ class Course final : public Scene {
             def.position = loaded.poses[i][0].position;
             def.angle = loaded.poses[i][0].angle;
             m_bodies[i] = stage.AddBody(def);
-            AnySizePolygon(BodyKind::Many, loaded.outlines[i])
+            AnySizePolygon(BodyKind::Many, loaded.polygons[i])
                 .AddTo(stage, m_bodies[i], Material(1.0f, 0.0f));
         }
     }

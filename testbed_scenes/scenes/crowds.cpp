@@ -48,9 +48,9 @@ class Bullets final : public Scene {
                 def.angularVelocity = stage.Rng().Uniform(-2.0f, 2.0f);
             }
             const int triangles = 10 + stage.Rng().Index(22);
-            const Outline outline = i % 2 == 0 ? StarOutline(triangles, 0.7f, 1.7f)
-                                               : RoughOutline(stage.Rng(), triangles, 0.8f, 1.7f);
-            OutlinedBody(BodyKind::Many, StarShaped(outline))
+            const Vertices vertices = i % 2 == 0 ? StarVertices(triangles, 0.7f, 1.7f)
+                                                 : RoughVertices(stage.Rng(), triangles, 0.8f, 1.7f);
+            OutlinedBody(BodyKind::Many, StarShaped(vertices))
                 .AddTo(stage, stage.AddBody(def), Material(0.0f, 0.3f, 0.3f));
         }
     }
@@ -71,13 +71,13 @@ class Bullets final : public Scene {
 /// A sector of a disc with its corner at the origin, in 8 vertices.
 b2PolygonShape MakeFan(float reach, float halfAngle) {
     constexpr int onArc = b2_maxPolygonVertices - 1;
-    Outline outline{{0.0f, 0.0f}};
+    Vertices vertices{{0.0f, 0.0f}};
     for (int i = 0; i < onArc; ++i) {
         const float angle = halfAngle * (2.0f * static_cast<float>(i) / (onArc - 1) - 1.0f);
-        outline.emplace_back(reach * std::cos(angle), reach * std::sin(angle));
+        vertices.emplace_back(reach * std::cos(angle), reach * std::sin(angle));
     }
     b2PolygonShape fan;
-    fan.Set(outline.data(), static_cast<int32>(outline.size()));
+    fan.Set(vertices.data(), static_cast<int32>(vertices.size()));
     return fan;
 }
 
@@ -100,7 +100,7 @@ class Sensors final : public Scene {
         for (int i = 0; i < size; ++i) {
             const b2BodyDef def = Drifting(stage.Rng(), grid.Place(i), 0.5f, 3.0f, 1.5f);
             b2Body *body = stage.AddBody(def);
-            AnySizePolygon(BodyKind::Many, RegularOutline(32, 0.5f))
+            AnySizePolygon(BodyKind::Many, RegularVertices(32, 0.5f))
                 .AddTo(stage, body, Material(1.0f, 0.1f, 1.0f));
             stage.AddFixture(body, eye, MakeFan(reach, halfAngle));
         }

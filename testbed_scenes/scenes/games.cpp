@@ -41,7 +41,7 @@ class Cars final : public Scene {
 /// A landslide: rocks roll down a chain. Who arrives is destroyed, and another one made on top.
 class ChainRocks final : public Scene {
     void Build(Stage &stage, int size) override {
-        Outline slope = MakeHills(stage.Rng(), {0.0f, 0.0f}, width, {0.4f, 0.6f, 0.2f});
+        Vertices slope = MakeHills(stage.Rng(), {0.0f, 0.0f}, width, {0.4f, 0.6f, 0.2f});
         for (std::size_t i = 0; i + 1 < slope.size(); ++i) // the wall at the top goes up with it
             slope[i].y += fall * (width - slope[i].x);
         AddChain(stage, slope);
@@ -66,7 +66,7 @@ class ChainRocks final : public Scene {
 
     static b2Body *AddRock(Stage &stage, b2Vec2 place) {
         b2Body *rock = stage.AddBody(b2_dynamicBody, place, stage.Rng().Uniform(-b2_pi, b2_pi));
-        const Outline corners = RoughOutline(stage.Rng(), 8, 0.3f, 0.6f);
+        const Vertices corners = RoughVertices(stage.Rng(), 8, 0.3f, 0.6f);
         b2PolygonShape hull;
         hull.Set(corners.data(), 8);
         stage.AddFixture(rock, Material(2.0f, 0.4f, 0.1f), hull);

@@ -36,7 +36,7 @@ class Gears final : public Scene {
         for (const float phase : phases)
             if (choice.vertices != 0)
                 outlined.push_back(
-                    OutlinedBody(choice.bodies, StarShaped(GearOutline(choice.vertices / teeth, phase))));
+                    OutlinedBody(choice.bodies, StarShaped(GearVertices(choice.vertices / teeth, phase))));
         for (int i = 0; i < size; ++i) {
             const int row = i / columns, column = i % columns;
             const b2Vec2 center(pitchRadius * static_cast<float>(2 * column - columns + 1),
@@ -69,7 +69,7 @@ class Gears final : public Scene {
 
     void AddTeeth(Stage &stage, b2Body *gear, float phase) const {
         constexpr float hubRadius = 1.78f;
-        AnySizePolygon(BodyKind::Many, RegularOutline(teeth, hubRadius, phase)).AddTo(stage, gear, steel);
+        AnySizePolygon(BodyKind::Many, RegularVertices(teeth, hubRadius, phase)).AddTo(stage, gear, steel);
         for (int i = 0; i < teeth; ++i) {
             const b2Rot turn(phase + 2.0f * b2_pi * static_cast<float>(i) / teeth);
             // The foot reaches below the hub's rim, so that nothing can get between.
@@ -84,21 +84,21 @@ class Gears final : public Scene {
 
     /// Tooth by tooth: its right foot, its tip, which is round where there are points for that, its left
     /// foot.
-    static Outline GearOutline(int pointsOfTooth, float phase) {
+    static Vertices GearVertices(int pointsOfTooth, float phase) {
         constexpr float rootRadius = 1.75f;
         const int tips = std::max(pointsOfTooth, 4) - 2;
-        Outline outline;
+        Vertices vertices;
         for (int tooth = 0; tooth < teeth; ++tooth) {
             const b2Rot turn(phase + 2.0f * b2_pi * static_cast<float>(tooth) / teeth);
-            outline.push_back(b2Mul(turn, b2Vec2(rootRadius, -rootHalf)));
+            vertices.push_back(b2Mul(turn, b2Vec2(rootRadius, -rootHalf)));
             for (int i = 0; i < tips; ++i) {
                 const float along = static_cast<float>(i) / static_cast<float>(tips - 1);
                 const float bulge = 0.5f * tipHalf * std::sin(b2_pi * along);
-                outline.push_back(b2Mul(turn, b2Vec2(tipRadius + bulge, tipHalf * (2.0f * along - 1.0f))));
+                vertices.push_back(b2Mul(turn, b2Vec2(tipRadius + bulge, tipHalf * (2.0f * along - 1.0f))));
             }
-            outline.push_back(b2Mul(turn, b2Vec2(rootRadius, rootHalf)));
+            vertices.push_back(b2Mul(turn, b2Vec2(rootRadius, rootHalf)));
         }
-        return outline;
+        return vertices;
     }
 
     const b2FixtureDef steel = Material(5.0f, 0.1f);

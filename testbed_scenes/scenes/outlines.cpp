@@ -22,27 +22,27 @@ class Silhouettes final : public Scene {
         for (int i = 0; i < size; ++i) {
             b2Body *body = stage.AddBody(b2_dynamicBody, InRows(i, columns, spacing, 1.6f),
                                          stage.Rng().Uniform(-b2_pi, b2_pi));
-            const Concave seen = StarShaped(SilhouetteOutline(stage.Rng(), choice.vertices));
+            const Concave seen = StarShaped(SilhouetteVertices(stage.Rng(), choice.vertices));
             OutlinedBody(choice.bodies, seen, tolerance).AddTo(stage, body, Material(1.0f, 0.4f));
         }
     }
 
-    static Outline SilhouetteOutline(Random &random, int points) {
+    static Vertices SilhouetteVertices(Random &random, int points) {
         constexpr int lobes = 4;
         float amplitude[lobes], phase[lobes];
         for (int k = 0; k < lobes; ++k) {
             amplitude[k] = random.Uniform(0.02f, 0.14f);
             phase[k] = random.Uniform(-b2_pi, b2_pi);
         }
-        Outline outline;
+        Vertices vertices;
         for (int i = 0; i < points; ++i) {
             const float angle = 2.0f * b2_pi * static_cast<float>(i) / static_cast<float>(points);
             float radius = 1.0f + random.Uniform(-0.003f, 0.003f);
             for (int k = 0; k < lobes; ++k)
                 radius += amplitude[k] * std::cos(static_cast<float>(k + 2) * angle + phase[k]);
-            outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+            vertices.push_back({radius * std::cos(angle), radius * std::sin(angle)});
         }
-        return outline;
+        return vertices;
     }
 
     static constexpr float tolerance = 0.02f; ///< a hundredth of their size
@@ -78,7 +78,7 @@ class Caves final : public Scene {
     /// A cave in the middle of a square. Each of its points has one straight outwards on the square's rim: so
     /// the square's four corners are among those.
     static void AddCave(Random &random, b2Vec2 middle, int points, Concave *rock) {
-        Outline cave, rim;
+        Vertices cave, rim;
         float radius = 4.0f;
         for (int i = 0; i < points; ++i) {
             const float angle = 2.0f * b2_pi * static_cast<float>(i) / static_cast<float>(points);
@@ -99,7 +99,7 @@ class Caves final : public Scene {
         const float size = stage.Rng().Uniform(0.25f, 0.45f);
         switch (number / (rows * columns) % 4) {
         case 0: {
-            const Concave star = StarShaped(StarOutline(12, 0.6f * size, 1.2f * size));
+            const Concave star = StarShaped(StarVertices(12, 0.6f * size, 1.2f * size));
             OutlinedBody(stage.Polygons().bodies, star).AddTo(stage, body, stone);
             break;
         }

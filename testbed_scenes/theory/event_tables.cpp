@@ -10,9 +10,9 @@
 namespace testbed {
 namespace {
 
-std::vector<bmr_vec2> OutlinePoints(bmr_ngon outline, size_t n, uint64_t seed) {
+std::vector<bmr_vec2> PointsOf(bmr_ngon kind, size_t n, uint64_t seed) {
     std::vector<bmr_vec2> points(n);
-    Require(bmr_ngon_points(outline, n, seed, points.data()), "the outline");
+    Require(bmr_ngon_points(kind, n, seed, points.data()), bmr_ngon_name(kind));
     return points;
 }
 
@@ -21,7 +21,7 @@ std::shared_ptr<const Body> MakeBody(const Experiment &experiment, int index, ui
     if (index == 1 && experiment.point)
         return std::make_shared<Body>(std::vector<bmr_vec2>{{0.0, 0.0}});
     return std::make_shared<Body>(
-        OutlinePoints(experiment.outlines[index], experiment.n, 2 * seed + static_cast<uint64_t>(index)));
+        PointsOf(experiment.ngons[index], experiment.n, 2 * seed + static_cast<uint64_t>(index)));
 }
 
 /// Twice as fine changes the bounds by less than the seeds do.

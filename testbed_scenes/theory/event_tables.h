@@ -21,7 +21,7 @@ struct Experiment {
     std::vector<bmr_family> motions;
     std::vector<const bmr_kds_info *> structures;
     size_t n = 64;
-    bmr_ngon outlines[2] = {BMR_NGON_ELLIPSE, BMR_NGON_DISC};
+    bmr_ngon ngons[2] = {BMR_NGON_ELLIPSE, BMR_NGON_DISC};
     bool point = false;         ///< B is a point
     std::vector<double> ratios; ///< D/sigma, ascending
     std::vector<uint64_t> seeds;

@@ -83,9 +83,9 @@ shown::Fixture ShowFixture(const b2Fixture &fixture) {
     }
     default: {
         // All its vertices, where it has more than Box2D knows.
-        const Outline outline = VerticesOf(static_cast<const b2PolygonShape &>(shape));
+        const Vertices vertices = VerticesOf(static_cast<const b2PolygonShape &>(shape));
         record.shape = "polygon";
-        record.points = ToVecs(outline.data(), static_cast<int32>(outline.size()));
+        record.points = ToVecs(vertices.data(), static_cast<int32>(vertices.size()));
         record.inner = InnerEdgesOf(fixture);
         break;
     }

@@ -5,18 +5,18 @@
 
 namespace testbed {
 
-std::unique_ptr<b2Shape> MakeOnePolygon(const Outline &outline) {
-    const auto count = static_cast<int32>(outline.size());
+std::unique_ptr<b2Shape> MakeOnePolygon(const Vertices &vertices) {
+    const auto count = static_cast<int32>(vertices.size());
     if (count > b2_maxPolygonVertices)
         throw std::runtime_error("stock Box2D has no polygon of " + std::to_string(count) +
                                  " vertices (--bodies many or circle, or the worker with the plugin)");
     auto shape = std::make_unique<b2PolygonShape>();
-    shape->Set(outline.data(), count);
+    shape->Set(vertices.data(), count);
     return shape;
 }
 
-Outline VerticesOf(const b2PolygonShape &polygon) {
-    return Outline(polygon.m_vertices, polygon.m_vertices + polygon.m_count);
+Vertices VerticesOf(const b2PolygonShape &polygon) {
+    return Vertices(polygon.m_vertices, polygon.m_vertices + polygon.m_count);
 }
 
 std::vector<std::unique_ptr<b2Shape>> MakeOutlinePieces(const Concave &, float) {

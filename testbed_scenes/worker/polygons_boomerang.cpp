@@ -7,25 +7,25 @@
 
 namespace testbed {
 
-std::unique_ptr<b2Shape> MakeOnePolygon(const Outline &outline) {
+std::unique_ptr<b2Shape> MakeOnePolygon(const Vertices &vertices) {
     auto shape = std::make_unique<bmr::ConvexShape>();
-    const bmr_error error = shape->Set(outline.data(), static_cast<int32>(outline.size()));
+    const bmr_error error = shape->Set(vertices.data(), static_cast<int32>(vertices.size()));
     if (error != BMR_OK)
-        throw std::runtime_error("no polygon of " + std::to_string(outline.size()) +
+        throw std::runtime_error("no polygon of " + std::to_string(vertices.size()) +
                                  " vertices: " + bmr_error_describe(error));
     return shape;
 }
 
-Outline VerticesOf(const b2PolygonShape &polygon) {
+Vertices VerticesOf(const b2PolygonShape &polygon) {
     const bmr::ConvexShape *shape = bmr::ConvexShape::From(&polygon);
     if (shape == nullptr)
-        return Outline(polygon.m_vertices, polygon.m_vertices + polygon.m_count);
-    return Outline(shape->GetVertices(), shape->GetVertices() + shape->GetVertexCount());
+        return Vertices(polygon.m_vertices, polygon.m_vertices + polygon.m_count);
+    return Vertices(shape->GetVertices(), shape->GetVertices() + shape->GetVertexCount());
 }
 
 std::vector<std::unique_ptr<b2Shape>> MakeOutlinePieces(const Concave &concave, float tolerance) {
     std::vector<bmr::OutlineHole> holes;
-    for (const Outline &hole : concave.holes)
+    for (const Vertices &hole : concave.holes)
         holes.push_back({hole.data(), static_cast<int32>(hole.size())});
     bmr::OutlineShape outline;
     const bmr_error error = outline.Set(concave.ring.data(), static_cast<int32>(concave.ring.size()),

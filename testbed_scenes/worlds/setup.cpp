@@ -127,13 +127,13 @@ std::vector<WorldScene> MakeScenes() {
     return scenes;
 }
 
-/// Points of an outline about their centre of mass, in a disk of the given radius about that.
-std::vector<bmr_vec2> CentredPoints(bmr_ngon outline, size_t vertices, uint64_t seed, double radius) {
+/// Vertices of a polygon about their centre of mass, in a disk of the given radius about that.
+std::vector<bmr_vec2> CentredPoints(bmr_ngon kind, size_t vertices, uint64_t seed, double radius) {
     std::vector<bmr_vec2> points(vertices);
-    Require(bmr_ngon_points(outline, vertices, seed, points.data()), bmr_ngon_name(outline));
+    Require(bmr_ngon_points(kind, vertices, seed, points.data()), bmr_ngon_name(kind));
     const Body rough(points, Body::Hierarchies::None);
     bmr_mass mass;
-    Require(bmr_polygon_mass(rough.Polygon(), &mass), bmr_ngon_name(outline));
+    Require(bmr_polygon_mass(rough.Polygon(), &mass), bmr_ngon_name(kind));
     double reach = 0.0;
     for (bmr_vec2 &point : points) {
         point = bmr_sub(point, mass.centroid);
@@ -144,10 +144,10 @@ std::vector<bmr_vec2> CentredPoints(bmr_ngon outline, size_t vertices, uint64_t 
     return points;
 }
 
-bmr_ngon OutlineOf(const WorldChoice &choice, size_t index) {
-    for (int outline = 0; outline < BMR_NGON_COUNT; ++outline)
-        if (choice.shape == bmr_ngon_name(static_cast<bmr_ngon>(outline)))
-            return static_cast<bmr_ngon>(outline);
+bmr_ngon NgonOf(const WorldChoice &choice, size_t index) {
+    for (int kind = 0; kind < BMR_NGON_COUNT; ++kind)
+        if (choice.shape == bmr_ngon_name(static_cast<bmr_ngon>(kind)))
+            return static_cast<bmr_ngon>(kind);
     return static_cast<bmr_ngon>(index % BMR_NGON_COUNT);
 }
 
@@ -172,7 +172,7 @@ void MakePolygons(WorldSetup *setup, Dice &dice) {
         const size_t vertices =
             choice.fewestVertices + dice.Index(choice.mostVertices - choice.fewestVertices + 1);
         body.polygon = std::make_unique<Body>(
-            CentredPoints(OutlineOf(choice, i), vertices, dice.Index(1U << 30U), body.radius), hierarchies);
+            CentredPoints(NgonOf(choice, i), vertices, dice.Index(1U << 30U), body.radius), hierarchies);
         bmr_mass mass;
         Require(bmr_polygon_mass(body.polygon->Polygon(), &mass), "a body");
         body.area = mass.area;
