@@ -30,7 +30,7 @@ static uint32_t counted_turning(double turning) {
     return counted < (double)BMR_BUDGET_TURN ? (uint32_t)counted : BMR_BUDGET_TURN;
 }
 
-uint32_t bmr_mover_look_moved(bmr_mover *mover, const bmr_pose *pose, bmr_vec2 center, double units) {
+uint32_t bmr_mover_update_moved(bmr_mover *mover, const bmr_pose *pose, bmr_vec2 center, double units) {
     // A point v of the body's frame goes from R v + p to R' v + p'. With v = pivot + w that is the way of the
     // pivot plus (R' - R) w, and R' - R is the matrix of (dc, ds): it scales every w by the length of that.
     const double way = way_between(mover->center, center, units);

@@ -39,11 +39,11 @@ typedef struct world {
     body *body;
     bmr_mover *mover; // apart from the bodies: a scan of pairs reads nothing else
     pair *pair;
-    unsigned long looks, renewals, contacts;
+    unsigned long tests, renewals, contacts;
 } world;
 
-// The look: the distance of two bodies, 0 where they overlap, and the direction from the nearest point of a
-// to that of b. (Not the largest separation along an edge: that may fall by more than the bodies move.)
+// The engine's test: the distance of two bodies, 0 if they overlap, and the direction from a's nearest point
+// to b's. (Not the largest separation along an edge: that may fall by more than the bodies move.)
 static double measure(const body *a, const body *b, bmr_vec2 *direction) {
     bmr_closest_points closest;
     if (bmr_distance(a->shape, &a->pose, b->shape, &b->pose, &closest) != BMR_OK)
@@ -52,7 +52,7 @@ static double measure(const body *a, const body *b, bmr_vec2 *direction) {
     return closest.distance;
 }
 
-// By how much the bounding disks are farther apart than the bodies must be: what is asked before a look.
+// By how much the bounding disks are farther apart than the bodies must be: what is asked before a test.
 static double slack_of_disks(const body *a, const body *b) {
     const bmr_vec2 way = bmr_sub(b->center, a->center);
     return sqrt(bmr_dot(way, way)) - (a->shape->radius + b->shape->radius + MARGIN + SLOP);
@@ -90,13 +90,13 @@ static void step(world *w, bool with_budgets) {
         move(w, &w->body[i]);
     // Poses are final now: sum up how far each body can have carried its points.
     for (uint32_t i = 0; with_budgets && i < w->bodies; ++i)
-        bmr_mover_look(&w->mover[i], &w->body[i].pose, UNITS);
+        bmr_mover_update(&w->mover[i], &w->body[i].pose, UNITS);
     for (pair *p = w->pair; p < w->pair + w->pairs; ++p) {
         const bmr_mover *a = &w->mover[p->a], *b = &w->mover[p->b];
         // Nearly always it ends here: the pair is still apart.
         if (with_budgets && !bmr_budget_is_due(p->deadline, a->moved, b->moved))
             continue;
-        // Or here, without the shapes: the old direction still has room.
+        // Or here, without the shapes: the old direction still separates them.
         double slack = with_budgets ? bmr_budget_line_gap(&p->line, a, b, UNITS) - (MARGIN + SLOP) : 0.0;
         if (slack > 0.0) {
             ++w->renewals;
@@ -105,7 +105,7 @@ static void step(world *w, bool with_budgets) {
             slack = slack_of_disks(&w->body[p->a], &w->body[p->b]);
         }
         if (slack <= 0.0) {
-            ++w->looks;
+            ++w->tests;
             bmr_vec2 direction;
             const double distance = measure(&w->body[p->a], &w->body[p->b], &direction);
             slack = distance - (MARGIN + SLOP);
@@ -134,7 +134,7 @@ static bmr_vec2 any_vector(double most) {
     return bmr_vec2_make(x, any(-most, most));
 }
 
-static void *room(size_t count, size_t size) {
+static void *zeroed(size_t count, size_t size) {
     void *memory = calloc(count, size);
     if (!memory)
         exit(2);
@@ -143,9 +143,9 @@ static void *room(size_t count, size_t size) {
 
 static world make(uint32_t bodies) {
     world w = {bodies, bodies * (bodies - 1) / 2, sqrt((double)bodies / DENSITY), NULL, NULL, NULL, 0, 0, 0};
-    w.body = room(bodies, sizeof *w.body);
-    w.mover = room(bodies, sizeof *w.mover);
-    w.pair = room(w.pairs, sizeof *w.pair);
+    w.body = zeroed(bodies, sizeof *w.body);
+    w.mover = zeroed(bodies, sizeof *w.mover);
+    w.pair = zeroed(w.pairs, sizeof *w.pair);
     state = 1;
     for (uint32_t i = 0; i < bodies; ++i) {
         const double x = any(0.3, 1.5), y = any(0.1, 0.5);
@@ -209,8 +209,8 @@ int main(int count, char **arguments) {
            worlds[0].contacts);
     for (int with = 0; with < 2; ++with) {
         const world *w = &worlds[with];
-        printf("%s budgets: %.1f looks and %.1f renewals a step", with ? "with" : "without",
-               (double)w->looks / (double)steps, (double)w->renewals / (double)steps);
+        printf("%s budgets: %.1f tests and %.1f renewals a step", with ? "with" : "without",
+               (double)w->tests / (double)steps, (double)w->renewals / (double)steps);
         if (count > 1)
             printf(", %.1f us", 1e6 * (double)times[with] / CLOCKS_PER_SEC / (double)steps);
         printf("\n");

@@ -21,9 +21,9 @@ static bmr_mover mover_at(double x, double y, double reach) {
     return mover;
 }
 
-static void look(bmr_mover *mover, double x, double y) {
+static void update(bmr_mover *mover, double x, double y) {
     const bmr_pose pose = pose_at(x, y);
-    bmr_mover_look(mover, &pose, UNITS);
+    bmr_mover_update(mover, &pose, UNITS);
 }
 
 TEST(the_structures_are_as_small_as_they_say) {
@@ -32,17 +32,17 @@ TEST(the_structures_are_as_small_as_they_say) {
 }
 
 /// Two bodies `apart` from pivot to pivot along x, disks of these reaches.
-typedef struct couple {
+typedef struct pair {
     bmr_mover a, b;
-} couple;
-static couple couple_at(double apart, double reach) {
-    const couple two = {mover_at(0.0, 0.0, reach), mover_at(apart, 0.0, reach)};
+} pair;
+static pair pair_at(double apart, double reach) {
+    const pair two = {mover_at(0.0, 0.0, reach), mover_at(apart, 0.0, reach)};
     return two;
 }
-static bmr_budget_line line_of(const couple *two, bmr_vec2 d, double gap) {
+static bmr_budget_line line_of(const pair *two, bmr_vec2 d, double gap) {
     return bmr_budget_line_make(d, gap, &two->a, &two->b, UNITS);
 }
-static double gap_of(const bmr_budget_line *line, const couple *two) {
+static double gap_of(const bmr_budget_line *line, const pair *two) {
     return bmr_budget_line_gap(line, &two->a, &two->b, UNITS);
 }
 static bool is_none(bmr_budget_line line) {
@@ -50,7 +50,7 @@ static bool is_none(bmr_budget_line line) {
 }
 
 TEST(there_is_no_line_of_what_no_line_holds) {
-    const couple two = couple_at(10.0, 1.0), far = couple_at(2048.5, 1.0), near = couple_at(2047.5, 1.0);
+    const pair two = pair_at(10.0, 1.0), far = pair_at(2048.5, 1.0), near = pair_at(2047.5, 1.0);
     const bmr_vec2 d = {1.0, 0.0};
     assert_false(is_none(line_of(&two, d, 8.0)));
     assert_true(is_none(line_of(&two, origin, 8.0)));
@@ -62,7 +62,7 @@ TEST(there_is_no_line_of_what_no_line_holds) {
         assert_true(is_none(line_of(&two, bmr_vec2_make(bad, 0.0), 8.0)));
         assert_true(is_none(line_of(&two, bmr_vec2_make(0.0, bad), 8.0)));
         assert_true(is_none(line_of(&two, d, bad)));
-        const couple lost = {two.a, mover_at(10.0, bad, 1.0)}, endless = couple_at(10.0, bad);
+        const pair lost = {two.a, mover_at(10.0, bad, 1.0)}, endless = pair_at(10.0, bad);
         assert_true(is_none(line_of(&lost, d, 8.0)));
         assert_true(is_none(line_of(&endless, d, 8.0)));
     }
@@ -73,10 +73,10 @@ TEST(there_is_no_line_of_what_no_line_holds) {
     const bmr_budget_line none = {{0.0f, 0.0f}, 12345u};
     assert_true(gap_of(&none, &two) == 0.0);
     // Nor does a line prove anything of bodies that went too far, or to nowhere.
-    couple gone = two;
+    pair gone = two;
     const bmr_budget_line line = line_of(&gone, d, 8.0);
-    look(&gone.b, 2049.0, 0.0);
+    update(&gone.b, 2049.0, 0.0);
     assert_true(gap_of(&line, &gone) == 0.0);
-    look(&gone.b, NAN, 0.0);
+    update(&gone.b, NAN, 0.0);
     assert_true(gap_of(&line, &gone) == 0.0);
 }

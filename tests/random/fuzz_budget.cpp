@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Budgets of motion: two bodies of a few points that look, leap, turn, grow and are marked as the bytes say,
+// Budgets of motion: two bodies of a few points that drift, leap, turn, grow and are marked as the bytes say,
 // with numbers of any kind. In rational arithmetic: no point goes farther than is counted, the pair is apart
 // while it is not due, its line's gap is there, and no sweep leaves its bound. Counts and gaps are hardly
 // more and less than they must be.
@@ -41,7 +41,7 @@ struct Body {
     std::vector<bmr_vec2> points;
     bmr_pose pose;
     bmr_mover mover;
-    uint64_t moved = 0, turned = 0; ///< since the pair was looked at; do not wrap
+    uint64_t moved = 0, turned = 0; ///< since the deadline and the line were made; do not wrap
 };
 
 class Script {
@@ -65,7 +65,7 @@ public:
             switch (fuzz_below(bytes_, 9)) {
             case 0:
             case 1:
-                Look(&body, NextPose(body));
+                Update(&body, NextPose(body));
                 break;
             case 2:
                 HeadOn(&body, &body == &bodies_[0] ? bodies_[1] : bodies_[0]);
@@ -137,13 +137,13 @@ private:
         return pose;
     }
 
-    void Look(Body *body, const bmr_pose &to) {
+    void Update(Body *body, const bmr_pose &to) {
         const bmr_pose from = body->pose;
         const bmr_vec2 center = body->mover.center;
         const uint32_t begin = body->mover.turned;
-        uint32_t moved = bmr_mover_look(&body->mover, &to, units_);
+        uint32_t moved = bmr_mover_update(&body->mover, &to, units_);
         const uint32_t turned = body->mover.turned - begin;
-        FUZZ_CHECK(moved <= BMR_BUDGET_MARK && turned <= BMR_BUDGET_TURN, "a look adds %u, %u", moved,
+        FUZZ_CHECK(moved <= BMR_BUDGET_MARK && turned <= BMR_BUDGET_TURN, "an update adds %u, %u", moved,
                    turned);
         body->pose = to;
         body->moved += moved;
@@ -186,7 +186,7 @@ private:
         bmr_pose to = body->pose;
         if (std::isfinite(length) && length > 0.0)
             to.position = bmr_add(to.position, bmr_scale(by / units_ / length, way));
-        Look(body, to);
+        Update(body, to);
     }
 
     void Grow(Body *body) {

@@ -252,7 +252,7 @@ void FixtureMotions::Update(uint32_t row, const b2BroadPhase &broadPhase, uint64
     const bool stays = SamePlace(xf, motion.place);
     const bmr_pose pose = PoseOf(xf);
     if (!stays) {
-        bmr_mover_look(&motion.mover, &pose, kUnits);
+        bmr_mover_update(&motion.mover, &pose, kUnits);
         motion.place = xf;
     }
     bool changed = ((bits ^ before) & kIsSensor) != 0 || (!late && (before & kChangedLate) != 0);
