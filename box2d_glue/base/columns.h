@@ -123,11 +123,11 @@ public:
         return m_size == 0 ? kNone : m_rows[Place(key, keyOf)] - 1; // an empty place is 0
     }
     /// Room for one row more.
-    template <typename KeyOf> void MakeRoom(const KeyOf &keyOf) {
+    template <typename KeyOf> void ReserveRow(const KeyOf &keyOf) {
         if (2 * (m_count + 1) > m_size)
             Grow(keyOf);
     }
-    /// A row of a new key, for which there is room.
+    /// A row of a new key, after ReserveRow.
     template <typename KeyOf> void Add(uint32_t row, const KeyOf &keyOf) {
         m_rows[Place(keyOf(row), keyOf)] = row + 1;
         ++m_count;

@@ -150,9 +150,9 @@ template <> void b2BroadPhase::UpdatePairs(bmr::PairFinder *finder) {
         }
         m_pairBuffer[m_pairCount++] = {b2Min(proxy, leaf), b2Max(proxy, leaf)};
     };
-    bmr::tree::DescentRoom ownRoom;
-    bmr::tree::DescentRoom *const kept = bmr::PerThread<bmr::tree::DescentRoom>();
-    bmr::tree::PairDescent(m_tree, kept != nullptr ? kept : &ownRoom, keep).Run(m_moveBuffer, m_moveCount);
+    bmr::tree::DescentScratch own;
+    bmr::tree::DescentScratch *const kept = bmr::PerThread<bmr::tree::DescentScratch>();
+    bmr::tree::PairDescent(m_tree, kept != nullptr ? kept : &own, keep).Run(m_moveBuffer, m_moveCount);
     if (bmr::Verifying())
         bmr::VerifyPairs(m_tree, m_moveBuffer, m_moveCount, m_pairBuffer, m_pairCount);
     for (int32 i = 0; i < m_pairCount; ++i) {

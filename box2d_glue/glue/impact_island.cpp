@@ -55,7 +55,7 @@ void ImpactPass::PutBack(b2Body *body, const b2Sweep &sweep) {
 bool ImpactPass::Meet(b2Contact *contact, float time) {
     m_wasGameCalled = false;
     if (m_table != nullptr) {
-        DoubtBudgets();
+        FindDisabled();
         m_table->bodies.NoteDisplaced();
     }
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
@@ -184,25 +184,25 @@ void ImpactPass::Update(b2Contact *contact) {
         return;
     m_table->deferred.NoteUpdated(i);
     if (!wasAwakeA && a->IsAwake())
-        AskPairsOf(a);
+        MarkPending(a);
     if (!wasAwakeB && b->IsAwake())
-        AskPairsOf(b);
+        MarkPending(b);
 }
 
 void ImpactPass::Wake(b2Body *body) {
     const bool wasAwake = body->IsAwake();
     body->SetAwake(true);
     if (!wasAwake && body->IsAwake())
-        AskPairsOf(body);
+        MarkPending(body);
 }
 
-void ImpactPass::AskPairsOf(const b2Body *body) {
+void ImpactPass::MarkPending(const b2Body *body) {
     if (m_table == nullptr)
         return;
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
         const uint32_t i = m_table->NumberOf(edge->contact);
         if (i != PairTable::kNone && !m_table->impacts.IsKnown(i, edge->contact))
-            m_table->impacts.asked.Set(i);
+            m_table->impacts.pending.Set(i);
     }
 }
 
@@ -220,16 +220,16 @@ void ImpactPass::ReadWhatGameDid() {
     FixtureMotions &motions = m_table->motions;
     for (uint32_t row = motions.NextChangedSweep(0); row != FixtureMotions::kNone;
          row = motions.NextChangedSweep(row + 1))
-        AskPairsOf(motions[row].body);
-    for (uint32_t word = 0; word < impacts.parked.Words(); ++word)
-        for (uint64_t left = impacts.parked.Word(word); left != 0; left &= left - 1) {
+        MarkPending(motions[row].body);
+    for (uint32_t word = 0; word < impacts.disabled.Words(); ++word)
+        for (uint64_t left = impacts.disabled.Word(word); left != 0; left &= left - 1) {
             const uint32_t i = word * 64 + LowestBit(left);
             b2Contact *const contact = i < m_table->Count() ? m_table->Contact(i) : nullptr;
             if (contact == nullptr || !contact->IsEnabled())
                 continue;
-            impacts.parked.Clear(i);
+            impacts.disabled.Clear(i);
             if (!impacts.IsKnown(i, contact))
-                impacts.asked.Set(i);
+                impacts.pending.Set(i);
             else
                 Queue(i, ContactAccess::TimeOfImpact(contact));
         }

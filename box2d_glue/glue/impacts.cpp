@@ -69,7 +69,7 @@ ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener),
       m_table(table != nullptr && !HasLeft(table) ? table : nullptr),
-      m_candidates(world, &solver->Room().toiCandidates),
+      m_candidates(world, &solver->Scratch().toiCandidates),
       m_gameRan(m_table != nullptr && m_table->deferred.GameRan()), m_flagsAreRead(m_gameRan) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
@@ -164,27 +164,27 @@ void ImpactPass::SearchByTable() {
 
 void ImpactPass::SearchPair(uint32_t i) {
     if (m_table->OutlastsSweeps(i)) {
-        m_table->impacts.passed.Set(i);
+        m_table->impacts.noImpact.Set(i);
         return;
     }
     b2Contact *const contact = m_table->Contact(i);
     EnableIfDeferred(i);
     if (!contact->IsEnabled())
-        m_table->impacts.parked.Set(i);
+        m_table->impacts.disabled.Set(i);
     else if (MayImpact(contact))
         Queue(i, FindTime(contact));
 }
 
 /// Ahead of the first impact, where the game may have disabled contacts: a deadline knows nothing of that.
-void ImpactPass::DoubtBudgets() {
-    if (m_budgetsDoubted || !m_gameRan)
+void ImpactPass::FindDisabled() {
+    if (m_disabledAreFound || !m_gameRan)
         return;
-    m_budgetsDoubted = true;
+    m_disabledAreFound = true;
     ImpactTimes &impacts = m_table->impacts;
     for (uint32_t i = 0; i < m_table->Count(); ++i)
-        if (m_table->Contact(i) != nullptr && impacts.passed.Has(i) && !m_table->Contact(i)->IsEnabled()) {
-            impacts.passed.Clear(i);
-            impacts.parked.Set(i);
+        if (m_table->Contact(i) != nullptr && impacts.noImpact.Has(i) && !m_table->Contact(i)->IsEnabled()) {
+            impacts.noImpact.Clear(i);
+            impacts.disabled.Set(i);
         }
 }
 
@@ -196,23 +196,23 @@ void ImpactPass::EnableIfDeferred(uint32_t i) {
     m_table->deferred.NoteUpdated(i);
 }
 
-void ImpactPass::AskAgain() {
+void ImpactPass::SearchPending() {
     ImpactTimes &impacts = m_table->impacts;
     for (uint32_t word = m_table->Count() / 64 + 1; word-- > 0;)
-        while (word < impacts.asked.Words() && impacts.asked.Word(word) != 0) {
-            const uint32_t i = word * 64 + HighestBit(impacts.asked.Word(word));
-            impacts.asked.Clear(i);
+        while (word < impacts.pending.Words() && impacts.pending.Word(word) != 0) {
+            const uint32_t i = word * 64 + HighestBit(impacts.pending.Word(word));
+            impacts.pending.Clear(i);
             b2Contact *const contact = i < m_table->Count() ? m_table->Contact(i) : nullptr;
             if (contact != nullptr && !impacts.IsKnown(i, contact))
-                Ask(i);
+                SearchPairAgain(i);
         }
 }
 
-void ImpactPass::Ask(uint32_t i) {
+void ImpactPass::SearchPairAgain(uint32_t i) {
     b2Contact *const contact = m_table->Contact(i);
     EnableIfDeferred(i);
     if (!contact->IsEnabled())
-        m_table->impacts.parked.Set(i);
+        m_table->impacts.disabled.Set(i);
     else if (ContactAccess::CountOfImpacts(contact) <= b2_maxSubSteps && MayImpact(contact))
         Queue(i, FindTime(contact));
 }
@@ -225,7 +225,7 @@ void ImpactPass::Queue(uint32_t i, float time) {
 }
 
 b2Contact *ImpactPass::Earliest(float *time) {
-    AskAgain();
+    SearchPending();
     ImpactTimes &impacts = m_table->impacts;
     while (impacts.heapCount > 0) {
         const ImpactTimes::Impact first = impacts.heap[0];
@@ -236,7 +236,7 @@ b2Contact *ImpactPass::Earliest(float *time) {
                 *time = first.time;
                 return contact;
             }
-            impacts.parked.Set(first.number);
+            impacts.disabled.Set(first.number);
         }
         impacts.Pop();
     }

@@ -25,29 +25,30 @@ inline bool IsBulletOrStatic(const b2Body *body) {
 /// hundred.
 class ToiCandidates {
 public:
-    /// `room` is where they are written down.
-    ToiCandidates(const b2World *world, Column<b2Contact *> *room) : m_world(world), m_room(room) {}
+    /// `contacts` is where they are written down.
+    ToiCandidates(const b2World *world, Column<b2Contact *> *contacts)
+        : m_world(world), m_contacts(contacts) {}
 
     /// False where the list is to be searched. (New contacts come at the head of the list.)
     bool AreKnown() const { return m_known && m_world->GetContactManager().m_contactList == m_newest; }
     uint32_t Count() const { return m_count; }
-    b2Contact *operator[](uint32_t i) const { return (*m_room)[i]; }
+    b2Contact *operator[](uint32_t i) const { return (*m_contacts)[i]; }
 
     /// A search of the list begins.
     void Begin() {
         const b2ContactManager &manager = m_world->GetContactManager();
         m_known = true;
-        m_room->Reserve(static_cast<uint32_t>(manager.m_contactCount));
+        m_contacts->Reserve(static_cast<uint32_t>(manager.m_contactCount));
         m_count = 0;
         m_newest = manager.m_contactList;
     }
-    void Add(b2Contact *contact) { (*m_room)[m_count++] = contact; }
+    void Add(b2Contact *contact) { (*m_contacts)[m_count++] = contact; }
     /// Code of the game runs: it can make bullets and sensors.
     void Forget() { m_known = false; }
 
 private:
     const b2World *m_world;
-    Column<b2Contact *> *m_room;
+    Column<b2Contact *> *m_contacts;
     bool m_known = false;
     uint32_t m_count = 0;
     const b2Contact *m_newest = nullptr;
@@ -67,10 +68,10 @@ private:
 
     void SearchByTable();
     void SearchPair(uint32_t i);
-    void DoubtBudgets();
+    void FindDisabled();
     void EnableIfDeferred(uint32_t i);
-    void AskAgain();
-    void Ask(uint32_t i);
+    void SearchPending();
+    void SearchPairAgain(uint32_t i);
     void Queue(uint32_t i, float time);
     b2Contact *Earliest(float *time);
 
@@ -97,7 +98,7 @@ private:
     void CheckTable();
     void ForgetTime(b2Contact *contact);
     void Wake(b2Body *body);
-    void AskPairsOf(const b2Body *body);
+    void MarkPending(const b2Body *body);
     void ReadWhatGameDid();
 
     b2World *m_world;
@@ -111,7 +112,7 @@ private:
     bool m_gameRan;               ///< ahead of the first search, and it may have changed more than motion
     bool m_wasGameCalled = false; ///< since the impact began
     bool m_flagsAreRead;          ///< of all motions, ahead of the pass's first call
-    bool m_budgetsDoubted = false;
+    bool m_disabledAreFound = false;
 };
 
 } // namespace bmr

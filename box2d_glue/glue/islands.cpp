@@ -66,7 +66,7 @@ private:
     IslandSolver *m_solver;
     b2ContactListener *m_listener; ///< its PostSolve is called, unless it is nullptr
     PairTable *m_table;            ///< nullptr: the world has none, or has left it
-    IslandRoom &m_room;
+    IslandScratch &m_scratch;
     uint32_t m_stackCount = 0, m_linkCount = 0;
     uint32_t m_seed = 0;
     bool m_mayLink = false;       ///< no gear joint reads the places of bodies in islands
@@ -79,7 +79,7 @@ private:
 IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener),
-      m_table(table != nullptr && !HasLeft(table) ? table : nullptr), m_room(solver->Room()) {
+      m_table(table != nullptr && !HasLeft(table) ? table : nullptr), m_scratch(solver->Scratch()) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
 }
@@ -136,7 +136,7 @@ void IslandPass::ClearFlags() {
 /// False where it does not pay: islands are built from the lists of bodies.
 bool IslandPass::Link() {
     const uint32_t most = m_table->Count() / kMostTouchingOf;
-    Column<uint32_t> &touching = m_room.touching;
+    Column<uint32_t> &touching = m_scratch.touching;
     uint32_t count = 0;
     for (uint32_t word = m_table->Count() / 64 + 1; word-- > 0;) {
         uint64_t left = m_table->TouchingOf(word);
@@ -149,7 +149,7 @@ bool IslandPass::Link() {
         for (; left != 0; left &= ~(uint64_t{1} << HighestBit(left)))
             touching[count++] = word * 64 + HighestBit(left);
     }
-    m_room.links.Reserve(2 * count + 1);
+    m_scratch.links.Reserve(2 * count + 1);
     while (count-- > 0) { // from the oldest on, each at the head of its lists, as when they were made
         b2Contact *const contact = m_table->Contact(touching[count]);
         b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
@@ -165,14 +165,15 @@ void IslandPass::LinkTo(b2Body *body, b2Contact *contact, b2Body *other) {
     const int32 before = LinkOf(body);
     const bool isHead = (before & kLinked) != 0;
     const uint32_t head = isHead ? static_cast<uint32_t>(before & ~kLinked) : kNoLink;
-    m_room.links[m_linkCount] = {contact, body, other, head, isHead ? m_room.links[head].place : before};
+    m_scratch.links[m_linkCount] = {contact, body, other, head,
+                                    isHead ? m_scratch.links[head].place : before};
     LinkOf(body) = static_cast<int32>(m_linkCount++) | kLinked;
 }
 
 // Islands.
 
 b2Body *IslandPass::FirstSeed() {
-    m_seedsAreAwake = m_onlyAwake && m_table != nullptr;
+    m_seedsAreAwake = m_onlyAwake;
     if (!m_seedsAreAwake)
         return m_world->GetBodyList();
     return m_table->bodies.AwakeCount() > 0 ? m_table->bodies.Awake(0) : nullptr;
@@ -187,14 +188,14 @@ b2Body *IslandPass::NextSeed(const b2Body *seed) {
 void IslandPass::BuildIsland(b2Body *seed) {
     Push(seed);
     while (m_stackCount > 0)
-        Take(m_room.stack[--m_stackCount]);
+        Take(m_scratch.stack[--m_stackCount]);
     SolveIsland();
 }
 
 void IslandPass::Push(b2Body *body) {
     BodyInIsland::Set(body);
-    m_room.stack.Reserve(m_stackCount + 1);
-    m_room.stack[m_stackCount++] = body;
+    m_scratch.stack.Reserve(m_stackCount + 1);
+    m_scratch.stack[m_stackCount++] = body;
 }
 
 /// The next body of the island. Islands do not go on across static bodies.
@@ -208,8 +209,8 @@ void IslandPass::Take(b2Body *body) {
         WakeInIsland(body);
     if (m_isLinked && wasAwake && (first & kSlept) == 0)
         for (uint32_t at = (first & kLinked) != 0 ? static_cast<uint32_t>(first & ~kLinked) : kNoLink;
-             at != kNoLink; at = m_room.links[at].next)
-            Take(m_room.links[at].contact, m_room.links[at].other);
+             at != kNoLink; at = m_scratch.links[at].next)
+            Take(m_scratch.links[at].contact, m_scratch.links[at].other);
     else
         for (b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
             Take(edge->contact, edge->other);
@@ -301,8 +302,9 @@ void IslandPass::PutPlaceBack(b2Body *body) {
     if ((place & kLinked) == 0)
         return;
     place &= ~kLinked;
-    if (const auto link = static_cast<uint32_t>(place); link < m_linkCount && m_room.links[link].body == body)
-        place = m_room.links[link].place;
+    if (const auto link = static_cast<uint32_t>(place);
+        link < m_linkCount && m_scratch.links[link].body == body)
+        place = m_scratch.links[link].place;
 }
 
 void IslandPass::Follow(b2Body *body) {

@@ -128,20 +128,20 @@ const bmr_allocator *GetAllocator();
 size_t Count();
 
 /// `count` objects in memory of that allocator, each as T() makes it. They need no destructor.
-template <typename T> class Room {
+template <typename T> class Array {
 public:
-    explicit Room(size_t count)
+    explicit Array(size_t count)
         : m_bytes(count * sizeof(T)), // NOLINT(bugprone-sizeof-expression): pointers, too
           m_allocator(GetAllocator()), m_objects(static_cast<T *>(bmr_allocate(m_allocator, m_bytes))) {
         for (size_t i = 0; m_objects != nullptr && i < count; ++i)
             new (m_objects + i) T();
     }
-    ~Room() {
+    ~Array() {
         if (m_objects != nullptr)
             bmr_release(m_allocator, m_objects, m_bytes);
     }
-    Room(const Room &) = delete;
-    Room &operator=(const Room &) = delete;
+    Array(const Array &) = delete;
+    Array &operator=(const Array &) = delete;
 
     /// nullptr without memory.
     T *Get() { return m_objects; }

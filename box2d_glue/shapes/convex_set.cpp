@@ -313,7 +313,7 @@ public:
     }
 
 private:
-    registry::Room<b2Vec2> m_points;
+    registry::Array<b2Vec2> m_points;
     int32 m_count = 0;
 };
 

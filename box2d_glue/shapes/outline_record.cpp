@@ -180,9 +180,9 @@ private:
 
     const bmr_outline_pieces &m_pieces;
     const bmr_allocator *m_allocator;
-    registry::Room<bmr_convex32_block *> m_blocks;
-    registry::Room<bool> m_slivers;
-    registry::Room<bmr_piece_corner32> m_corners;
+    registry::Array<bmr_convex32_block *> m_blocks;
+    registry::Array<bool> m_slivers;
+    registry::Array<bmr_piece_corner32> m_corners;
 };
 
 /// The share that makes up for the rounding of all: the largest; but none of half and more, if there is

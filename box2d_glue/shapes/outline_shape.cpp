@@ -142,8 +142,8 @@ bmr_error OutlineShape::Set(const b2Vec2 *points, int32 count, const OutlineHole
     for (int32 h = 0; h < holeCount; ++h)
         all += static_cast<size_t>(holes[h].count);
     const auto ringCount = static_cast<uint32_t>(holeCount) + 1;
-    registry::Room<bmr_vec2> copied(all);
-    registry::Room<uint32_t> counts(ringCount);
+    registry::Array<bmr_vec2> copied(all);
+    registry::Array<uint32_t> counts(ringCount);
     if (copied.Get() == nullptr || counts.Get() == nullptr)
         return BMR_ERROR_NO_MEMORY;
     bmr_vec2 *next = copied.Get();

@@ -20,7 +20,7 @@ class b2Joint;
 namespace bmr {
 
 /// Where a pass writes down what it builds islands from. Kept from step to step with the solver.
-struct IslandRoom {
+struct IslandScratch {
     /// A contact that touches, in the list of one of its bodies.
     struct Link {
         b2Contact *contact;
@@ -74,7 +74,7 @@ public:
     uint32_t JointCount() const { return m_jointCount - m_waiting.endJoint; }
     b2Body *Body(uint32_t i) const { return m_bodies[m_waiting.endBody + i]; }
     b2Contact *Contact(uint32_t i) const { return m_contacts[m_waiting.endContact + i]; }
-    IslandRoom &Room() { return m_room; }
+    IslandScratch &Scratch() { return m_scratch; }
 
     /// b2Island::Solve. If Begin was told so the island may wait to be solved together with others, as late
     /// as in Finish: they share no body that moves.
@@ -109,7 +109,7 @@ private:
     void Report(const Island &island);
     void Sleep(const Island &island);
 
-    IslandRoom m_room;
+    IslandScratch m_scratch;
     Column<b2Body *> m_bodies;
     Column<b2Contact *> m_contacts;
     Column<b2Joint *> m_joints;

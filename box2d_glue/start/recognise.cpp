@@ -42,7 +42,7 @@ thread_local bool inTrialStep = false;
 std::atomic<uint32_t> noted{0}; ///< a bit for each hook that was called in the trial step
 
 constexpr unsigned char kUntouched = 0xa5;
-/// Room behind an object for a Box2D whose own is larger.
+/// Memory behind an object for a Box2D whose own is larger.
 constexpr size_t kMargin = 4096;
 
 /// A metre or more, in units of length. A power of two, for nothing is to be rounded.
@@ -88,8 +88,8 @@ template <typename T, typename Make> T *MakeInItsBlock(b2BlockAllocator *allocat
 /// are zero, too.
 template <typename Def> struct ZeroDef {
     ZeroDef() { std::memset(static_cast<void *>(this), 0, sizeof *this); }
-    Def *Get() { return reinterpret_cast<Def *>(room); }
-    alignas(Def) unsigned char room[sizeof(Def) + 256];
+    Def *Get() { return reinterpret_cast<Def *>(bytes); }
+    alignas(Def) unsigned char bytes[sizeof(Def) + 256];
 };
 
 constexpr const char *kOtherWorld = "b2World has not the size that it has in 2.4.1",
@@ -151,8 +151,8 @@ const char *WhyContactsAreOthers(b2World *world, const b2PolygonShape &box) {
 /// Zeros that CreateJoint takes for a static body without joints and contacts. The last byte of its address
 /// is 0, which is `false`.
 struct alignas(256) NoBody {
-    unsigned char room[sizeof(b2Body) + 256];
-    b2Body *Get() { return reinterpret_cast<b2Body *>(room); }
+    unsigned char bytes[sizeof(b2Body) + 256];
+    b2Body *Get() { return reinterpret_cast<b2Body *>(bytes); }
 };
 
 /// Does Box2D find the bodies of a joint's definition, which stand behind its user data, where we do? Where
@@ -160,10 +160,10 @@ struct alignas(256) NoBody {
 bool JointsAreRight(b2World *world) {
     NoBody a = {}, b = {}, elsewhere = {};
     b2Body *places[2] = {b.Get(), elsewhere.Get()};
-    alignas(b2FrictionJointDef) unsigned char room[sizeof(b2FrictionJointDef) + 32 * sizeof places];
-    for (size_t at = 0; at + sizeof places <= sizeof room; at += sizeof places)
-        std::memcpy(room + at, places, sizeof places);
-    auto *def = reinterpret_cast<b2JointDef *>(room);
+    alignas(b2FrictionJointDef) unsigned char bytes[sizeof(b2FrictionJointDef) + 32 * sizeof places];
+    for (size_t at = 0; at + sizeof places <= sizeof bytes; at += sizeof places)
+        std::memcpy(bytes + at, places, sizeof places);
+    auto *def = reinterpret_cast<b2JointDef *>(bytes);
     def->type = e_frictionJoint;
     def->bodyA = a.Get();
     b2Joint *joint = world->CreateJoint(def);
@@ -180,7 +180,7 @@ const char *IsAnother(const char *constant, float here, float expected) {
     return sentence;
 }
 
-/// Makes `shape`, which has room behind it, a box whose half-width is a metre.
+/// Makes `shape`, which has memory behind it, a box whose half-width is a metre.
 const char *WhyVerticesAreOthers(b2PolygonShape *shape) {
     const b2Vec2 firstNormal(0.0f, -1.0f);
     shape->SetAsBox(kTrialMetre, kTrialMetre);
@@ -257,9 +257,9 @@ const char *WhyWorldIsUnknown(b2World *world, b2PolygonShape *box) {
     return why;
 }
 
-/// Room for one world and one polygon of another size than expected.
+/// Memory for one world and one polygon of another size than expected.
 struct Trial {
-    alignas(std::max_align_t) unsigned char room[sizeof(b2World) + kMargin];
+    alignas(std::max_align_t) unsigned char world[sizeof(b2World) + kMargin];
     alignas(std::max_align_t) unsigned char polygon[sizeof(b2PolygonShape) + kMargin];
 };
 
@@ -308,10 +308,10 @@ const char *WhyBox2DIsUnknown() {
     // kilobytes that stay untouched.
     constexpr size_t kBefore = 1024;
     static_assert(kBefore < b2_stackSize && b2_stackSize < sizeof(b2World));
-    std::memset(trial.room, kUntouched, kBefore);
-    std::memset(trial.room + b2_stackSize, kUntouched, sizeof trial.room - b2_stackSize);
+    std::memset(trial.world, kUntouched, kBefore);
+    std::memset(trial.world + b2_stackSize, kUntouched, sizeof trial.world - b2_stackSize);
     std::memset(trial.polygon, kUntouched, sizeof trial.polygon);
-    b2World *world = new (trial.room) b2World(b2Vec2(0.0f, -10.0f));
+    b2World *world = new (trial.world) b2World(b2Vec2(0.0f, -10.0f));
     if (const char *why = WhyWorldIsUnknown(world, new (trial.polygon) b2PolygonShape()))
         return why; // a world of another kind is not to be trusted with its own end: it stays
     StepWatched(world);

@@ -31,7 +31,7 @@ inline bool Reports(int32 proxy, int32 leaf, bool moved) {
 }
 
 /// Groups of proxies on their way down, and what they have found. A thread keeps the memory.
-struct DescentRoom {
+struct DescentScratch {
     struct Group {
         Box box;
         const b2Body *body;
@@ -57,8 +57,8 @@ struct DescentRoom {
 /// Calls `keep(proxy, leaf)` for the pairs that Box2D would find, but for none of two fixtures of one body.
 template <typename Keep> class PairDescent {
 public:
-    PairDescent(const b2DynamicTree &tree, DescentRoom *room, const Keep &keep)
-        : m_tree(tree), m_nodes(tree.*Named(TreeNodes())), m_room(*room), m_keep(keep) {}
+    PairDescent(const b2DynamicTree &tree, DescentScratch *scratch, const Keep &keep)
+        : m_tree(tree), m_nodes(tree.*Named(TreeNodes())), m_scratch(*scratch), m_keep(keep) {}
 
     void Run(const int32 *moves, int32 count) {
         if (m_tree.*Named(TreeRoot()) == b2_nullNode)
@@ -85,8 +85,8 @@ private:
     /// False where a box is not a number.
     bool Group(const int32 *moves, int32 count, uint32_t most) {
         m_proxyCount = m_groupCount = 0;
-        m_room.proxies.Reserve(static_cast<uint32_t>(count));
-        m_room.groups.Reserve(static_cast<uint32_t>(count));
+        m_scratch.proxies.Reserve(static_cast<uint32_t>(count));
+        m_scratch.groups.Reserve(static_cast<uint32_t>(count));
         const b2Body *last = nullptr;
         bool haveNumbers = true;
         for (int32 i = 0; i < count; ++i) {
@@ -95,13 +95,13 @@ private:
             const Box box = BoxOf(m_tree.GetFatAABB(moves[i]));
             const b2Body *const body = BodyOf(m_tree.GetUserData(moves[i]));
             haveNumbers = haveNumbers && HasNumbers(box);
-            m_room.proxies[m_proxyCount++] = {box, moves[i], 0};
-            DescentRoom::Group *group = m_groupCount > 0 ? &m_room.groups[m_groupCount - 1] : nullptr;
+            m_scratch.proxies[m_proxyCount++] = {box, moves[i], 0};
+            DescentScratch::Group *group = m_groupCount > 0 ? &m_scratch.groups[m_groupCount - 1] : nullptr;
             if (body == last && group->end - group->begin < most) {
                 group->box = Around(group->box, box);
                 group->end = m_proxyCount;
             } else
-                m_room.groups[m_groupCount++] = {box, body, m_proxyCount - 1, m_proxyCount};
+                m_scratch.groups[m_groupCount++] = {box, body, m_proxyCount - 1, m_proxyCount};
             last = body;
         }
         m_single = most == 1;
@@ -132,10 +132,10 @@ private:
         const Box box = BoxOf(m_nodes[root].aabb);
         m_numbers = HasNumbers(box);
         Visit visit = {root, 0, 0};
-        m_room.lists.Reserve(m_groupCount);
+        m_scratch.lists.Reserve(m_groupCount);
         for (uint32_t i = 0; i < m_groupCount; ++i) {
-            m_room.lists[visit.end] = i;
-            visit.end += Overlap(m_room.groups[i].box, box) ? 1 : 0;
+            m_scratch.lists[visit.end] = i;
+            visit.end += Overlap(m_scratch.groups[i].box, box) ? 1 : 0;
         }
         return visit;
     }
@@ -147,12 +147,12 @@ private:
         const Box box1 = BoxOf(m_nodes[node.child1].aabb), box2 = BoxOf(m_nodes[node.child2].aabb);
         m_numbers = m_numbers && HasNumbers(box1) && HasNumbers(box2);
         const uint32_t begin = visit->begin, end = visit->end;
-        m_room.lists.Reserve(2 * end - begin);
-        uint32_t *const lists = m_room.lists.Data();
+        m_scratch.lists.Reserve(2 * end - begin);
+        uint32_t *const lists = m_scratch.lists.Data();
         uint32_t end1 = begin, end2 = end;
         for (uint32_t i = begin; i < end; ++i) {
             const uint32_t group = lists[i];
-            const Box box = m_room.groups[group].box;
+            const Box box = m_scratch.groups[group].box;
             lists[end1] = group;
             end1 += Overlap(box, box1) ? 1 : 0;
             lists[end2] = group;
@@ -167,15 +167,15 @@ private:
         const b2Body *const body = BodyOf(node.userData);
         const Box box = BoxOf(node.aabb);
         for (uint32_t i = leaf.begin; i < leaf.end; ++i) {
-            const DescentRoom::Group &group = m_room.groups[m_room.lists[i]];
+            const DescentScratch::Group &group = m_scratch.groups[m_scratch.lists[i]];
             if (group.body == body)
                 continue;
-            m_room.found.Reserve(m_found + (group.end - group.begin));
+            m_scratch.found.Reserve(m_found + (group.end - group.begin));
             for (uint32_t j = group.begin; j < group.end; ++j)
-                if (Overlap(m_room.proxies[j].box, box) &&
-                    Reports(m_room.proxies[j].id, leaf.node, node.moved)) {
-                    m_room.found[m_found++] = {j, leaf.node};
-                    ++m_room.proxies[j].end;
+                if (Overlap(m_scratch.proxies[j].box, box) &&
+                    Reports(m_scratch.proxies[j].id, leaf.node, node.moved)) {
+                    m_scratch.found[m_found++] = {j, leaf.node};
+                    ++m_scratch.proxies[j].end;
                 }
         }
     }
@@ -184,21 +184,21 @@ private:
     void Report() {
         uint32_t sum = 0;
         for (uint32_t i = 0; i < m_proxyCount; ++i) {
-            const uint32_t found = m_room.proxies[i].end;
-            m_room.proxies[i].end = sum; // its beginning, which moves on to its end
+            const uint32_t found = m_scratch.proxies[i].end;
+            m_scratch.proxies[i].end = sum; // its beginning, which moves on to its end
             sum += found;
         }
-        m_room.leaves.Reserve(m_found);
+        m_scratch.leaves.Reserve(m_found);
         for (uint32_t i = 0; i < m_found; ++i)
-            m_room.leaves[m_room.proxies[m_room.found[i].proxy].end++] = m_room.found[i].leaf;
+            m_scratch.leaves[m_scratch.proxies[m_scratch.found[i].proxy].end++] = m_scratch.found[i].leaf;
         for (uint32_t i = 0, next = 0; i < m_proxyCount; ++i)
-            for (; next < m_room.proxies[i].end; ++next)
-                m_keep(m_room.proxies[i].id, m_room.leaves[next]);
+            for (; next < m_scratch.proxies[i].end; ++next)
+                m_keep(m_scratch.proxies[i].id, m_scratch.leaves[next]);
     }
 
     const b2DynamicTree &m_tree;
     const b2TreeNode *m_nodes;
-    DescentRoom &m_room;
+    DescentScratch &m_scratch;
     const Keep &m_keep;
     uint32_t m_proxyCount = 0, m_groupCount = 0, m_found = 0;
     bool m_single = false;  ///< each group is one proxy

@@ -27,7 +27,7 @@ bool internal::MeetBox2D(const void *) {
 namespace {
 
 // (Install may be called before the first step.)
-[[maybe_unused]] const bool told = (SetWay("compiled with Box2D", nullptr), true);
+[[maybe_unused]] const bool wayIsSet = (SetWay("compiled with Box2D", nullptr), true);
 
 } // namespace
 

@@ -22,8 +22,8 @@ void PrintInstall(Run &run, const bmr::Options &options) {
 
 /// A name in the directory of temporary files that no other process uses.
 std::string NameFor(const char *end) {
-    const char *room = std::getenv("TMPDIR");
-    return std::string(room != nullptr ? room : "/tmp") + "/boomerang-" + std::to_string(bmr::ThisProcess()) +
+    const char *folder = std::getenv("TMPDIR");
+    return std::string(folder != nullptr ? folder : "/tmp") + "/boomerang-" + std::to_string(bmr::ThisProcess()) +
            end;
 }
 

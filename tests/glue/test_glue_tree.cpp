@@ -349,7 +349,7 @@ TEST_CASE("proxies that go down the tree together find what each finds alone, in
     size_t found = 0, most = 0;
     for (size_t round = test_scaled(2000); round > 0; --round) {
         Bodies bodies(engine);
-        bmr::tree::DescentRoom room;
+        bmr::tree::DescentScratch scratch;
         for (int step = 0; step < 4; ++step) {
             const std::vector<int32> moves = bodies.Move();
             std::vector<Found> alone, together;
@@ -359,7 +359,7 @@ TEST_CASE("proxies that go down the tree together find what each finds alone, in
                     bodies.Tree().Query(&query, bodies.Tree().GetFatAABB(proxy));
             }
             const auto keep = [&together](int32 proxy, int32 leaf) { together.push_back({proxy, leaf}); };
-            bmr::tree::PairDescent(bodies.Tree(), &room, keep)
+            bmr::tree::PairDescent(bodies.Tree(), &scratch, keep)
                 .Run(moves.data(), static_cast<int32>(moves.size()));
             REQUIRE(together == alone);
             found += alone.size();

@@ -115,7 +115,7 @@ uint32_t FixtureMotions::Acquire(const b2Fixture *fixture, const b2BroadPhase &b
         ++m_rows[row].pairs;
         return row;
     }
-    m_byFixture.MakeRoom(keyOf);
+    m_byFixture.ReserveRow(keyOf);
     row = m_free;
     if (row == kNone) {
         row = m_count;

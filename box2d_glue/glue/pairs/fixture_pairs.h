@@ -19,7 +19,7 @@ public:
     /// The contact of this number.
     void Add(uint32_t i, const b2Contact &contact) {
         m_digests.Reserve(i + 1);
-        m_table.MakeRoom(KeyOf{*this});
+        m_table.ReserveRow(KeyOf{*this});
         m_digests[i] = DigestOf(contact.GetFixtureA(), contact.GetChildIndexA()) +
                        DigestOf(contact.GetFixtureB(), contact.GetChildIndexB());
         m_table.Add(i, KeyOf{*this});

@@ -117,7 +117,7 @@ void PairTable::GiveMarksBack() {
         return;
     for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext()) {
         const uint32_t i = NumberOf(contact);
-        if (i != kNone && impacts.passed.Has(i))
+        if (i != kNone && impacts.noImpact.Has(i))
             ContactAccess::Flags(contact) |= ContactAccess::kTimeIsKnown;
     }
     impacts.areKnown = false;

@@ -67,49 +67,49 @@ class PairTable;
 /// the contacts themselves: e_toiFlag, m_toi, m_toiCount and e_islandFlag are in the contacts, here as there.
 ///
 /// A pair whose deadline outlasts the step has a time of impact, which is 1. Its contact is not read, and has
-/// no mark of it: the pair is in `passed`, until Box2D's list is to be walked (PairTable::GiveMarksBack).
+/// no mark of it: the pair is in `noImpact`, until Box2D's list is to be walked (PairTable::GiveMarksBack).
 struct ImpactTimes {
     struct Impact {
         float time;
         uint32_t number;
     };
 
-    BitColumn passed;    ///< its time is known to be 1, though the contact has no e_toiFlag
+    BitColumn noImpact;  ///< its time is known to be 1, though the contact has no e_toiFlag
     BitColumn marked;    ///< the contact has marks, which the next step takes away
-    BitColumn asked;     ///< its time is not known, and the next search asks for it
-    BitColumn parked;    ///< it was disabled when the search asked
+    BitColumn pending;   ///< its time is not known: the next search finds it
+    BitColumn disabled;  ///< it was disabled when the search came to it
     Column<Impact> heap; ///< known times below 1, and some that are old
     uint32_t heapCount = 0;
     bool areKnown = false; ///< no contact has marks but those of `marked`
 
     void Reserve(uint32_t count) {
-        for (BitColumn *column : {&passed, &marked, &asked, &parked})
+        for (BitColumn *column : {&noImpact, &marked, &pending, &disabled})
             column->Reserve(count);
     }
     /// A contact that was just made has this number.
     void Begin(uint32_t i, b2Contact *contact) {
-        for (BitColumn *column : {&passed, &marked, &parked})
+        for (BitColumn *column : {&noImpact, &marked, &disabled})
             column->Clear(i);
-        asked.Set(i);
+        pending.Set(i);
         ContactAccess::Flags(contact) &= ~ContactAccess::kInIsland;
         if (areKnown)
             ContactAccess::TimeOfImpact(contact) = 1.0f; // Box2D's constructor leaves it as it is
     }
     void Renumber(uint32_t from, uint32_t to) {
-        for (BitColumn *column : {&passed, &marked, &asked, &parked})
+        for (BitColumn *column : {&noImpact, &marked, &pending, &disabled})
             column->Renumber(from, to);
     }
     bool IsKnown(uint32_t i, b2Contact *contact) const {
-        return passed.Has(i) || (ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) != 0;
+        return noImpact.Has(i) || (ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) != 0;
     }
     void Forget(uint32_t i, b2Contact *contact) {
-        passed.Clear(i);
-        asked.Set(i);
+        noImpact.Clear(i);
+        pending.Set(i);
         ContactAccess::Flags(contact) &= ~ContactAccess::kTimeIsKnown;
     }
     /// As b2World::SolveTOI begins with a new step, once the marks are away from the contacts.
     void ForgetAll() {
-        for (BitColumn *column : {&passed, &marked, &asked, &parked})
+        for (BitColumn *column : {&noImpact, &marked, &pending, &disabled})
             column->ClearAll();
         heapCount = 0;
         areKnown = true;

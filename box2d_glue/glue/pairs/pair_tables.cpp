@@ -52,8 +52,8 @@ private:
     template <typename V> static void Visit(const V &visit) {
         const size_t first = OffsetOf(Named(AllowSleep())) + sizeof(bool);
         const size_t second = OffsetOf(Named(StepComplete())) + sizeof(bool);
-        const size_t room = OffsetOf(Named(TheDestructionListener())) - first;
-        const size_t bytes = room < sizeof(Number) ? room : sizeof(Number);
+        const size_t gap = OffsetOf(Named(TheDestructionListener())) - first;
+        const size_t bytes = gap < sizeof(Number) ? gap : sizeof(Number);
         const size_t more = OffsetOf(Named(Profile())) - second;
         visit(first, 0, bytes);
         visit(second, bytes, more < sizeof(Number) - bytes ? more : sizeof(Number) - bytes);

@@ -16,10 +16,10 @@ namespace bmr {
 
 namespace {
 
-/// README.md beside this derives what b2Distance says of these two. Of shapes that are deep inside each other
-/// it says 0, or what its arithmetic is off by (Rounding), which their skins must cover. Of others it is
-/// right where it ends because a support came twice.
-struct Question {
+/// Two shapes at their poses. README.md beside this derives what b2Distance says of them. Of shapes that are
+/// deep inside each other it says 0, or what its arithmetic is off by (Rounding), which their skins must
+/// cover. Of others it is right where it ends because a support came twice.
+struct PlacedShapes {
     b2DistanceProxy a, b;
     const b2Transform &xfA, &xfB;
 
@@ -32,7 +32,7 @@ float LargestCoordinate(const b2Vec2 &p) {
 
 /// By how much Box2D's arithmetic may be off; `reach` is the largest coordinate of a point in its shape's
 /// frame.
-float Rounding(const Question &q, float reach) {
+float Rounding(const PlacedShapes &q, float reach) {
     constexpr float kDiagonal = 1.41422f;
     const float x = std::max(LargestCoordinate(q.xfA.p), LargestCoordinate(q.xfB.p)) + kDiagonal * reach;
     if (!(x <= kSweepReach))
@@ -42,7 +42,7 @@ float Rounding(const Question &q, float reach) {
 
 /// b2TestOverlap's threshold is 10 epsilon beyond the radii. Radii below zero take nothing off a distance of
 /// the shapes themselves, which is 0 as soon as they overlap: they count as 0. (A NaN stays one.)
-float ApartBeyond(const Question &q, float rounding) {
+float ApartBeyond(const PlacedShapes &q, float rounding) {
     return std::max(q.Radius(), 0.0f) * (1.0f + kUnit * kErrorPerDistance) + 10.0f * b2_epsilon + rounding;
 }
 
@@ -60,13 +60,13 @@ bool IsDirection(bmr_vec32 n) {
 }
 
 /// How far apart the two are along a direction.
-float Gap(const Question &q, bmr_vec32 direction, float *reach) {
+float PosedGap(const PlacedShapes &q, bmr_vec32 direction, float *reach) {
     return bmr_posed32_gap(Vectors32(q.a.m_vertices), q.a.m_count, Transform32(q.xfA),
                            Vectors32(q.b.m_vertices), q.b.m_count, Transform32(q.xfB), direction, reach);
 }
 
 /// Of a shape that rests in its pose.
-bmr_swept32 Still(const b2DistanceProxy &proxy, const b2Transform &xf) {
+bmr_swept32 AtRest(const b2DistanceProxy &proxy, const b2Transform &xf) {
     const bmr_motion32 rest = {{0.0f, 0.0f}, *Vectors32(&xf.p), *Vectors32(&xf.p), xf.q.s, xf.q.c, 0.0f};
     bmr_swept32 shape;
     bmr_swept32_make(&shape, Vectors32(proxy.m_vertices), proxy.m_count, &rest);
@@ -80,30 +80,30 @@ bool IsPlainPolygon(const b2Shape &shape, const b2DistanceProxy &proxy) {
 }
 
 /// Of any two shapes: are they apart?
-Overlap Search(const Question &q) {
+Overlap Search(const PlacedShapes &q) {
     bmr_vec32 direction = {0.0f, 0.0f};
-    const bmr_swept32 a = Still(q.a, q.xfA), b = Still(q.b, q.xfB);
+    const bmr_swept32 a = AtRest(q.a, q.xfA), b = AtRest(q.b, q.xfB);
     const float rounding = Rounding(q, std::max(a.radius, b.radius)), apart = ApartBeyond(q, rounding);
     return rounding <= std::numeric_limits<float>::max() && bmr_swept32_find_apart(&a, &b, apart, &direction)
                ? Overlap::kApart
                : Overlap::kUnknown;
 }
 
-/// Two polygons, asked by their sides. b2Distance reads only vertices, and so do these proofs: a game that
+/// Two polygons, tested by their sides. b2Distance reads only vertices, and so do these proofs: a game that
 /// edited vertices in place may have left the normals as they were.
 class Polygons {
 public:
-    Polygons(const Question &q, const b2Shape &a, const b2Shape &b)
+    Polygons(const PlacedShapes &q, const b2Shape &a, const b2Shape &b)
         : m_q(q), m_a(Polygon32(static_cast<const b2PolygonShape &>(a))),
           m_b(Polygon32(static_cast<const b2PolygonShape &>(b))) {}
 
     /// Does what was found the last time still say which it is?
-    Overlap AskAgain(const EdgeMemory &memory) const {
+    Overlap FromMemory(const EdgeMemory &memory) const {
         if (memory.number >= Owner(memory.ofB).count)
             return Overlap::kUnknown;
         if (memory.isVertex)
             return Holds(memory.ofB, memory.number) ? Overlap::kOverlapping : Overlap::kUnknown;
-        const Side side = AskSide(memory.ofB, memory.number);
+        const Side side = TestSide(memory.ofB, memory.number);
         return side.gap > ApartBeyond(m_q, side.rounding) ? Overlap::kApart : Overlap::kUnknown;
     }
 
@@ -135,15 +135,15 @@ public:
         return false;
     }
 
-    /// All sides of both: one that keeps them apart. (Which side to ask is what normals are read for.)
-    Overlap AskSides(EdgeMemory *memory) const {
+    /// All sides of both: one that keeps them apart. (Normals only say which side to test.)
+    Overlap TestSides(EdgeMemory *memory) const {
         for (const bool ofB : {false, true}) {
             const bmr_transform32 frame =
                 bmr_exact32_relative(Transform32(Pose(!ofB)), Transform32(Pose(ofB)));
             int32_t side = 0;
             bmr_exact32_max_separation(&Owner(ofB), &Owner(!ofB), &frame, &side);
-            const Side asked = AskSide(ofB, side);
-            if (asked.gap > ApartBeyond(m_q, asked.rounding)) {
+            const Side found = TestSide(ofB, side);
+            if (found.gap > ApartBeyond(m_q, found.rounding)) {
                 Keep(memory, side, ofB, false);
                 return Overlap::kApart;
             }
@@ -156,13 +156,13 @@ private:
     struct Side {
         float gap, rounding; ///< rounding is infinite where the normal is no direction
     };
-    Side AskSide(bool ofB, int32 number) const {
+    Side TestSide(bool ofB, int32 number) const {
         const b2Vec2 normal = b2Mul(Pose(ofB).q, NormalOf(Owner(ofB), number));
         const bmr_vec32 fromA = {ofB ? -normal.x : normal.x, ofB ? -normal.y : normal.y};
         if (!IsDirection(fromA))
             return {0.0f, INFINITY};
         float reach;
-        const float gap = Gap(m_q, fromA, &reach);
+        const float gap = PosedGap(m_q, fromA, &reach);
         return {gap, Rounding(m_q, reach)};
     }
     static void Keep(EdgeMemory *memory, int32 number, bool ofB, bool isVertex) {
@@ -182,7 +182,7 @@ private:
         return 0.5f * (VertexOf(polygon, 0) + VertexOf(polygon, polygon.count / 2));
     }
 
-    const Question &m_q;
+    const PlacedShapes &m_q;
     bmr_polygon32 m_a, m_b;
 };
 
@@ -196,7 +196,7 @@ Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shape
                        const b2Transform &xfA, const b2Transform &xfB, EdgeMemory *memory, bool touched) {
     if (!IsRotation(xfA.q) || !IsRotation(xfB.q))
         return Overlap::kUnknown;
-    Question q = {b2DistanceProxy(), b2DistanceProxy(), xfA, xfB};
+    PlacedShapes q = {b2DistanceProxy(), b2DistanceProxy(), xfA, xfB};
     SetProxy(&q.a, shapeA, childA);
     SetProxy(&q.b, shapeB, childB);
     if (!IsSmall(q.a) || !IsSmall(q.b))
@@ -206,9 +206,9 @@ Overlap CertainOverlap(const b2Shape &shapeA, int32 childA, const b2Shape &shape
         const Polygons polygons(q, shapeA, shapeB);
         EdgeMemory nothing = {kNoEdge, 0, 0};
         EdgeMemory *const known = memory != nullptr ? memory : &nothing;
-        answer = polygons.AskAgain(*known);
+        answer = polygons.FromMemory(*known);
         if (answer == Overlap::kUnknown)
-            answer = polygons.OneHoldsTheOther(known) ? Overlap::kOverlapping : polygons.AskSides(known);
+            answer = polygons.OneHoldsTheOther(known) ? Overlap::kOverlapping : polygons.TestSides(known);
     }
     return answer != Overlap::kUnknown || touched ? answer : Search(q);
 }

@@ -67,7 +67,7 @@ ContactSide SideB(b2Contact *contact) {
 
 } // namespace
 
-struct ContactRecorder::Room {
+struct ContactRecorder::Events {
     Log<ContactTouchEvent> begins, ends;
     Log<SensorTouchEvent> sensorBegins, sensorEnds;
     Log<ContactHitEvent> hits;
@@ -91,21 +91,21 @@ struct ContactRecorder::Room {
 };
 
 ContactRecorder::ContactRecorder() noexcept : m_hitThreshold(std::numeric_limits<float>::infinity()) {
-    for (Room *&room : m_rooms)
-        room = new (std::nothrow) Room();
+    for (Events *&events : m_events)
+        events = new (std::nothrow) Events();
 }
 
 ContactRecorder::~ContactRecorder() {
-    for (Room *room : m_rooms)
-        delete room;
+    for (Events *events : m_events)
+        delete events;
 }
 
 ContactEvents ContactRecorder::Take() noexcept {
-    std::swap(m_rooms[0], m_rooms[1]);
-    if (m_rooms[0] != nullptr)
-        m_rooms[0]->Clear();
+    std::swap(m_events[0], m_events[1]);
+    if (m_events[0] != nullptr)
+        m_events[0]->Clear();
     ContactEvents events = {};
-    if (const Room *taken = m_rooms[1])
+    if (const Events *taken = m_events[1])
         events = {taken->begins.List(),     taken->ends.List(), taken->sensorBegins.List(),
                   taken->sensorEnds.List(), taken->hits.List(), 0};
     events.lost = std::exchange(m_lost, 0);
@@ -113,15 +113,15 @@ ContactEvents ContactRecorder::Take() noexcept {
 }
 
 void ContactRecorder::BeginContact(b2Contact *contact) {
-    Room *room = m_rooms[0];
-    if (room == nullptr || !Room::AddTouch(contact, false, &room->begins, &room->sensorBegins))
+    Events *events = m_events[0];
+    if (events == nullptr || !Events::AddTouch(contact, false, &events->begins, &events->sensorBegins))
         ++m_lost;
 }
 
 void ContactRecorder::EndContact(b2Contact *contact) {
-    Room *room = m_rooms[0];
+    Events *events = m_events[0];
     const bool mayBeGone = !contact->GetFixtureA()->GetBody()->GetWorld()->IsLocked();
-    if (room == nullptr || !Room::AddTouch(contact, mayBeGone, &room->ends, &room->sensorEnds))
+    if (events == nullptr || !Events::AddTouch(contact, mayBeGone, &events->ends, &events->sensorEnds))
         ++m_lost;
 }
 
@@ -137,9 +137,9 @@ void ContactRecorder::PostSolve(b2Contact *contact, const b2ContactImpulse *impu
         return;
     b2WorldManifold where;
     contact->GetWorldManifold(&where);
-    Room *room = m_rooms[0];
-    if (room == nullptr ||
-        !room->hits.Add({SideA(contact), SideB(contact), where.points[most], where.normal, sum}))
+    Events *events = m_events[0];
+    if (events == nullptr ||
+        !events->hits.Add({SideA(contact), SideB(contact), where.points[most], where.normal, sum}))
         ++m_lost;
 }
 

@@ -106,9 +106,9 @@ public:
     void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override;
 
 private:
-    struct Room;
+    struct Events;
 
-    Room *m_rooms[2] = {nullptr, nullptr}; ///< the first is written to, the second was taken
+    Events *m_events[2] = {nullptr, nullptr}; ///< the first is written to, the second was taken
     float m_hitThreshold;
     int32 m_lost = 0;
 };
