@@ -49,12 +49,11 @@ bmr_error play_body_create(const bmr_vec2 *points, size_t count, double scale, p
     return error;
 }
 
-bmr_error play_body_create_outline(bmr_ngon outline, size_t n, uint64_t seed, double scale,
-                                   play_body **body) {
+bmr_error play_body_create_ngon(bmr_ngon kind, size_t n, uint64_t seed, double scale, play_body **body) {
     bmr_vec2 points[PLAY_MOST_CORNERS];
     if (n > PLAY_MOST_CORNERS)
         return BMR_ERROR_OUT_OF_RANGE;
-    const bmr_error error = bmr_ngon_points(outline, n, seed, points);
+    const bmr_error error = bmr_ngon_points(kind, n, seed, points);
     return error == BMR_OK ? play_body_create(points, n, scale, body) : error;
 }
 

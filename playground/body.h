@@ -20,8 +20,8 @@ typedef struct play_body {
 /// PLAY_MOST_CORNERS points, a scale that is not positive), TOO_FEW_POINTS (a hull of fewer than three); then
 /// *body is untouched.
 bmr_error play_body_create(const bmr_vec2 *points, size_t count, double scale, play_body **body);
-/// The same of one of core's outlines.
-bmr_error play_body_create_outline(bmr_ngon outline, size_t n, uint64_t seed, double scale, play_body **body);
+/// The same of one of core's polygons.
+bmr_error play_body_create_ngon(bmr_ngon kind, size_t n, uint64_t seed, double scale, play_body **body);
 /// NULL is no error.
 void play_body_destroy(play_body *body);
 bmr_shape play_body_shape(const play_body *body);

@@ -60,17 +60,15 @@ static bmr_error add_body(play_crowd *crowd, size_t index, size_t columns, uint6
 static bmr_error open_crowd(play_crowd *crowd) {
     const play_crowd_def *def = &crowd->def;
     bmr_error error = BMR_OK;
-    for (int outline = 0; outline < BMR_NGON_COUNT && error == BMR_OK; ++outline) {
-        error = play_body_create_outline((bmr_ngon)outline, def->corners, def->seed, 1.0,
-                                         &crowd->shapes[outline]);
+    for (int ngon = 0; ngon < BMR_NGON_COUNT && error == BMR_OK; ++ngon) {
+        error = play_body_create_ngon((bmr_ngon)ngon, def->corners, def->seed, 1.0, &crowd->shapes[ngon]);
         if (error != BMR_OK)
             break;
         // Each as large as its disk may be.
-        const double scale = RADIUS / crowd->shapes[outline]->polygon->radius;
-        play_body_destroy(crowd->shapes[outline]);
-        crowd->shapes[outline] = NULL;
-        error = play_body_create_outline((bmr_ngon)outline, def->corners, def->seed, scale,
-                                         &crowd->shapes[outline]);
+        const double scale = RADIUS / crowd->shapes[ngon]->polygon->radius;
+        play_body_destroy(crowd->shapes[ngon]);
+        crowd->shapes[ngon] = NULL;
+        error = play_body_create_ngon((bmr_ngon)ngon, def->corners, def->seed, scale, &crowd->shapes[ngon]);
     }
     if (error != BMR_OK)
         return error;
@@ -115,8 +113,8 @@ void play_crowd_destroy(play_crowd *crowd) {
     if (!crowd)
         return;
     bmr_world_destroy(crowd->world);
-    for (int outline = 0; outline < BMR_NGON_COUNT; ++outline)
-        play_body_destroy(crowd->shapes[outline]);
+    for (int ngon = 0; ngon < BMR_NGON_COUNT; ++ngon)
+        play_body_destroy(crowd->shapes[ngon]);
     free(crowd);
 }
 

@@ -80,11 +80,11 @@ int play_family_count(void) {
 const char *play_family_name(int family) {
     return bmr_family_name((bmr_family)family);
 }
-int play_outline_count(void) {
+int play_ngon_count(void) {
     return BMR_NGON_COUNT;
 }
-const char *play_outline_name(int outline) {
-    return bmr_ngon_name((bmr_ngon)outline);
+const char *play_ngon_name(int ngon) {
+    return bmr_ngon_name((bmr_ngon)ngon);
 }
 const char *play_event_name(int kind) {
     return bmr_kds_event_name((bmr_kds_event_kind)kind);
@@ -110,11 +110,11 @@ static bool is_body(int body) {
     return body == 0 || body == 1;
 }
 
-int play_set_outline(play_page *page, int body, int outline, int n, double seed) {
+int play_set_ngon(play_page *page, int body, int ngon, int n, double seed) {
     play_body *made;
-    if (!is_body(body) || n < 3 || outline < 0 || outline >= BMR_NGON_COUNT)
+    if (!is_body(body) || n < 3 || ngon < 0 || ngon >= BMR_NGON_COUNT)
         return BMR_ERROR_OUT_OF_RANGE;
-    const bmr_error error = play_body_create_outline((bmr_ngon)outline, (size_t)n, seed_of(seed), 1.0, &made);
+    const bmr_error error = play_body_create_ngon((bmr_ngon)ngon, (size_t)n, seed_of(seed), 1.0, &made);
     if (error == BMR_OK)
         put_body(page, body, made);
     return (int)error;

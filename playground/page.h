@@ -17,7 +17,8 @@ void play_close(play_page *page);
 
 // ---- what there is to choose from ----
 
-/// Structures (indices of bmr_kds_at), families of motions and outlines. NULL, or 0, for an index beyond.
+/// Structures (indices of bmr_kds_at), families of motions and kinds of polygons. NULL, or 0, for an index
+/// beyond.
 int play_structure_count(void);
 const char *play_structure_name(int structure);
 const char *play_structure_title(int structure);
@@ -29,16 +30,16 @@ int play_structure_role(int structure);
 int play_structure_find(const char *name);
 int play_family_count(void);
 const char *play_family_name(int family);
-int play_outline_count(void);
-const char *play_outline_name(int outline);
+int play_ngon_count(void);
+const char *play_ngon_name(int ngon);
 /// Names and meanings of events: bmr_kds_event_name, and play_explain (words.h).
 const char *play_event_name(int kind);
 const char *play_event_meaning(int kind, int cell);
 
 // ---- bodies: each call ends the duel that was ----
 
-/// Body 0 or 1 becomes an outline of n corners. Returns a bmr_error.
-int play_set_outline(play_page *page, int body, int outline, int n, double seed);
+/// Body 0 or 1 becomes a polygon of n corners. Returns a bmr_error.
+int play_set_ngon(play_page *page, int body, int ngon, int n, double seed);
 /// Corners one by one, and then the hull of them. play_sketch_add returns how many there are by now, as
 /// many as before where there is no room or the point is not finite. play_sketch_take returns a bmr_error.
 void play_sketch_clear(play_page *page);

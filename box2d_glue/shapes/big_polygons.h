@@ -213,11 +213,11 @@ inline bool AnyBigPolygon() {
 }
 
 /// Hands a polygon at a pose to a game's b2Draw::DrawSolidPolygon: whole, or in pieces of at most
-/// b2_maxPolygonVertices vertices, for which every drawer of Box2D's polygons has room. Without memory for
-/// the whole outline, in pieces. If the polygon is a piece of an outline, segments follow: its edges, and
+/// b2_maxPolygonVertices vertices, which every drawer of Box2D's polygons takes. Without memory for all
+/// vertices, in pieces. If the polygon is a piece of an outline, segments follow: its edges, and
 /// parts of edges, behind which no other piece goes on.
-void DrawOutline(const bmr_convex32_block &block, const b2Transform &xf, const b2Color &color,
-                 Outlines outlines, b2Draw &draw);
+void DrawBigPolygon(const bmr_convex32_block &block, const b2Transform &xf, const b2Color &color,
+                    DrawAs drawAs, b2Draw &draw);
 
 /// b2World::DebugDraw calls this on its thread when it draws a big polygon of the world: the next
 /// DrawConvexShapes of the same world and drawer then has nothing left to do, up to the next step of any

@@ -287,7 +287,7 @@ bmr_error ConvexShape::SetAsBox(float halfWidth, float halfHeight, const b2Vec2 
     return error;
 }
 
-// Outlines that games ask for, as points.
+// Boxes, ellipses and the like, as points.
 
 namespace {
 

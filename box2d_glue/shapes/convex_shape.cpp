@@ -247,21 +247,21 @@ void DrawFaces(const bmr_convex32_block &block, const b2Transform &xf, const b2C
 }
 
 bool DrawWhole(const bmr_convex32 &polygon, const b2Transform &xf, const b2Color &color, b2Draw &draw) {
-    auto *outline = static_cast<b2Vec2 *>(std::malloc(polygon.count * sizeof(b2Vec2)));
-    if (outline == nullptr)
+    auto *vertices = static_cast<b2Vec2 *>(std::malloc(polygon.count * sizeof(b2Vec2)));
+    if (vertices == nullptr)
         return false;
     for (uint32_t i = 0; i < polygon.count; ++i)
-        outline[i] = Posed(polygon.vertices[i], xf);
-    draw.DrawSolidPolygon(outline, static_cast<int32>(polygon.count), color);
-    std::free(outline);
+        vertices[i] = Posed(polygon.vertices[i], xf);
+    draw.DrawSolidPolygon(vertices, static_cast<int32>(polygon.count), color);
+    std::free(vertices);
     return true;
 }
 
 } // namespace
 
-void DrawOutline(const bmr_convex32_block &block, const b2Transform &xf, const b2Color &color,
-                 Outlines outlines, b2Draw &draw) {
-    if (outlines != Outlines::Whole || !DrawWhole(block.polygon, xf, color, draw))
+void DrawBigPolygon(const bmr_convex32_block &block, const b2Transform &xf, const b2Color &color,
+                    DrawAs drawAs, b2Draw &draw) {
+    if (drawAs != DrawAs::Whole || !DrawWhole(block.polygon, xf, color, draw))
         DrawPieces(block.polygon, xf, color, draw);
     if (block.polygon.seams != nullptr || block.seams.part_count > 0)
         DrawFaces(block, xf, color, draw);
@@ -271,14 +271,14 @@ void NoteDrawnByBox2D(const b2World *world, const b2Draw *draw) {
     drawnByBox2D = {world, draw};
 }
 
-void DrawConvexShapes(const b2World &world, b2Draw &draw, Outlines outlines) {
+void DrawConvexShapes(const b2World &world, b2Draw &draw, DrawAs drawAs) {
     const Drawn drawn = std::exchange(drawnByBox2D, {nullptr, nullptr});
     if (drawn.world == &world && drawn.draw == &draw)
         return;
     for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext())
         for (const b2Fixture *f = body->GetFixtureList(); f != nullptr; f = f->GetNext())
             if (const bmr_convex32_block *block = BigPolygonOf(*f->GetShape()))
-                DrawOutline(*block, body->GetTransform(), ColorOf(*body), outlines, draw);
+                DrawBigPolygon(*block, body->GetTransform(), ColorOf(*body), drawAs, draw);
 }
 
 } // namespace bmr

@@ -33,7 +33,7 @@ class Core {
       offered: this.plain("structure_is_offered", index) === 1, role: this.plain("structure_role", index),
     }));
     this.families = names("family_count", "family_name");
-    this.outlines = names("outline_count", "outline_name");
+    this.ngons = names("ngon_count", "ngon_name");
     this.kinds = [];
     for (let kind = 0, name; (name = this.text(this.plain("event_name", kind))); kind++)
       this.kinds.push({ kind, name, meaning: this.text(this.plain("event_meaning", kind, 0)), counts: this.plain("counts", kind) === 1 });

@@ -11,7 +11,7 @@ const LEGEND = {
 };
 
 const structureField = (key, label) => ({ kind: "structure", key, label, wide: true });
-const levelField = { kind: "select", key: "levels", label: "Outlines shown", wide: true,
+const levelField = { kind: "select", key: "levels", label: "Levels shown", wide: true,
   options: [["none", "none"], ["proof", "the certificate's level"], ["all", "all levels"]] };
 const cornersField = (key, label, most) => ({ kind: "steps", key, label, steps: CORNERS.filter((n) => n <= most) });
 
@@ -40,12 +40,12 @@ const MODES = {
     title: "Motions", course: true, rate: 1 / 12, follows: true, badges: LAZY_BADGES, legend: ["pair"], timeline: true,
     intro: "The motions that the paper's table of bounds is about. Move D/σ and n: who gets more events, and who does not?",
     use(core, place) {
-      const outline = core.outlines.indexOf(place.outline);
-      return core.call("set_outline", 0, outline, place.n, place.seed) || core.call("set_outline", 1, outline, place.n, place.seed + 1) ||
+      const ngon = core.ngons.indexOf(place.ngon);
+      return core.call("set_ngon", 0, ngon, place.n, place.seed) || core.call("set_ngon", 1, ngon, place.n, place.seed + 1) ||
         core.call("use_family", core.structure(place.structure).index, core.families.indexOf(place.family), 2 ** place.ratio, place.seed);
     },
     fields: [structureField("structure", "Structure"), { kind: "select", key: "family", label: "Motion", options: (core) => core.families.map((f) => [f, f]) },
-      { kind: "select", key: "outline", label: "Shape", options: (core) => core.outlines.map((o) => [o, o]) },
+      { kind: "select", key: "ngon", label: "Shape", options: (core) => core.ngons.map((o) => [o, o]) },
       { kind: "range", key: "ratio", label: "D/σ", low: 1, high: 20, show: (v) => (2 ** v).toLocaleString("en") }, cornersField("n", "Corners n", 256),
       { kind: "range", key: "seed", label: "Another one (seed)", low: 1, high: 50 }, levelField],
   },
@@ -71,7 +71,7 @@ const MODES = {
 };
 
 function setShape(core, body, shape) {
-  if (!shape.points) return core.call("set_outline", body, core.outlines.indexOf(shape.outline), shape.n, shape.seed);
+  if (!shape.points) return core.call("set_ngon", body, core.ngons.indexOf(shape.ngon), shape.n, shape.seed);
   core.call("sketch_clear");
   for (const [x, y] of shape.points) core.call("sketch_add", x, y);
   const error = core.call("sketch_take", body);
@@ -109,12 +109,12 @@ function fieldElement(field, core, place, changed) {
   }));
   if (field.kind === "select" || field.kind === "shape") {
     const isShape = field.kind === "shape", shape = isShape && place.shapes[field.body];
-    let options = isShape ? core.outlines.map((o) => [o, o]) : typeof field.options === "function" ? field.options(core) : field.options;
+    let options = isShape ? core.ngons.map((o) => [o, o]) : typeof field.options === "function" ? field.options(core) : field.options;
     if (isShape && shape.points) options = [["", "your own"], ...options];
     const select = element("select", {}, ...options.map(([value, text]) => element("option", { value, textContent: text })));
-    select.value = isShape ? (shape.points ? "" : shape.outline) : place[field.key];
+    select.value = isShape ? (shape.points ? "" : shape.ngon) : place[field.key];
     select.addEventListener("change", () => {
-      if (isShape && select.value) place.shapes[field.body] = { outline: select.value, n: shape.n || 12, seed: shape.seed || 1 };
+      if (isShape && select.value) place.shapes[field.body] = { ngon: select.value, n: shape.n || 12, seed: shape.seed || 1 };
       else if (!isShape) place[field.key] = select.value;
       changed(field.key !== "levels");
     });

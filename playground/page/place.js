@@ -9,23 +9,23 @@ const LEVELS = ["none", "proof", "all"];
 function firstPlace() {
   return {
     mode: "learn", structure: "lazy-dudley", levels: "proof",
-    shapes: [{ outline: "ellipse", n: 12, seed: 1 }, { outline: "random", n: 10, seed: 3 }],
+    shapes: [{ ngon: "ellipse", n: 12, seed: 1 }, { ngon: "random", n: 10, seed: 3 }],
     poses: [[0, 0, 0], [2, 1, 0.6]],
-    family: "tumble", ratio: 6, n: 32, outline: "ellipse", seed: 1,
+    family: "tumble", ratio: 6, n: 32, ngon: "ellipse", seed: 1,
     cells: "active-cell-dudley", small: [6, 5], mixedPoses: [[0, 0, 0], [-0.45, -1.35, 0.4]],
     bodies: 60, corners: 8, packing: 0.25, pairs: "hybrid", shown: 4,
   };
 }
 
 const shapeText = (shape) => shape.points ? "p" + shape.points.map((p) => p.map((c) => +c.toFixed(3)).join("_")).join("~")
-  : `${shape.outline}*${shape.n}*${shape.seed}`;
+  : `${shape.ngon}*${shape.n}*${shape.seed}`;
 function shapeOf(text) {
   if (text.startsWith("p")) {
     const points = text.slice(1).split("~").map((p) => p.split("_").map(Number));
     return points.length >= 3 && points.length <= 256 && points.every((p) => p.length === 2 && p.every(Number.isFinite)) ? { points } : null;
   }
-  const [outline, n, seed] = text.split("*");
-  return +n >= 3 && +n <= 256 && +seed >= 0 ? { outline, n: Math.round(+n), seed: Math.round(+seed) } : null;
+  const [ngon, n, seed] = text.split("*");
+  return +n >= 3 && +n <= 256 && +seed >= 0 ? { ngon, n: Math.round(+n), seed: Math.round(+seed) } : null;
 }
 const poseText = (poses) => poses.flat().map((c) => +c.toFixed(3)).join("_");
 function posesOf(text) {
@@ -36,7 +36,7 @@ function posesOf(text) {
 /** What of a place a mode's address says. */
 const PARTS = {
   learn: ["structure", "levels"], hands: ["structure", "levels", "a", "b", "poses"],
-  motions: ["structure", "levels", "family", "ratio", "n", "outline", "seed"],
+  motions: ["structure", "levels", "family", "ratio", "n", "ngon", "seed"],
   mixed: ["cells", "small", "at"], many: ["pairs", "bodies", "corners", "packing", "seed", "shown"],
 };
 
@@ -57,7 +57,7 @@ function placeOf(hash, core) {
   const oneOf = (names) => (text) => names.includes(text) ? text : null;
   const readers = {
     mode: oneOf(MODE_NAMES), structure: offered, pairs: offered, levels: oneOf(LEVELS), cells: oneOf(["active-cell-dudley", "active-cell-compass"]),
-    family: oneOf(core.families), outline: oneOf(core.outlines), ratio: wholeWithin(1, 20), n: wholeWithin(3, 256), seed: wholeWithin(0, 1e6),
+    family: oneOf(core.families), ngon: oneOf(core.ngons), ratio: wholeWithin(1, 20), n: wholeWithin(3, 256), seed: wholeWithin(0, 1e6),
     bodies: wholeWithin(2, 400), corners: wholeWithin(3, 64), packing: within(0.02, 0.45), shown: wholeWithin(0, 7), poses: posesOf,
   };
   for (const [key, read] of Object.entries(readers)) {
@@ -69,7 +69,7 @@ function placeOf(hash, core) {
   if (given.has("at")) place.mixedPoses = posesOf(given.get("at")) || place.mixedPoses;
   ["a", "b"].forEach((key, body) => {
     const shape = given.has(key) ? shapeOf(given.get(key)) : null;
-    if (shape && (shape.points || core.outlines.includes(shape.outline))) place.shapes[body] = shape;
+    if (shape && (shape.points || core.ngons.includes(shape.ngon))) place.shapes[body] = shape;
   });
   return place;
 }

@@ -183,7 +183,7 @@ void b2TimeOfImpact(b2TOIOutput *output, const b2TOIInput *input) {
         stock::TimeOfImpact(output, input);
 }
 
-/// The real outline, in pieces that every b2Draw has room for unless Options::outlines asks for it whole.
+/// The real polygon, in pieces of at most 8 vertices unless Options::drawAs asks for it whole.
 void b2World::DrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color &color) {
     const bmr_convex32_block *block = AnyBigPolygon() ? BigPolygonOf(*fixture->GetShape()) : nullptr;
     if (block == nullptr) {
@@ -191,5 +191,5 @@ void b2World::DrawShape(b2Fixture *fixture, const b2Transform &xf, const b2Color
         return;
     }
     NoteDrawnByBox2D(this, m_debugDraw);
-    DrawOutline(*block, xf, color, GetSettings().options.outlines, *m_debugDraw);
+    DrawBigPolygon(*block, xf, color, GetSettings().options.drawAs, *m_debugDraw);
 }

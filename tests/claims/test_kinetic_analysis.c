@@ -47,7 +47,7 @@ TEST(test_optimum_of_convex_passes_and_of_a_spin_is_1) {
         for (uint64_t seed = 0; seed < 3; seed++)
             for (int step = 0; step < 3; step++) {
                 const double ratio = 4.0 * pow(16.0, step);
-                own_polygon *a = outline(BMR_NGON_ELLIPSE, 64, seed), *b = outline(BMR_NGON_DISC, 40, seed);
+                own_polygon *a = ngon(BMR_NGON_ELLIPSE, 64, seed), *b = ngon(BMR_NGON_DISC, 40, seed);
                 own_family m = family_motion(families[k], ratio, seed, a, b);
                 const bmr_course course = course_of(&m, a, b);
                 bmr_optimum optimum;
@@ -83,7 +83,7 @@ TEST(test_covers_hold_at_times_between_samples_and_bounds_are_near) {
     for (int family = 0; family < BMR_FAMILY_COUNT; family++)
         for (int step = 1; step < 4; step++) {
             const double ratio = pow(8.0, step);
-            own_polygon *a = outline(BMR_NGON_ELLIPSE, 64, 1), *b = outline(BMR_NGON_DISC, 40, 2);
+            own_polygon *a = ngon(BMR_NGON_ELLIPSE, 64, 1), *b = ngon(BMR_NGON_DISC, 40, 2);
             own_family m = family_motion((bmr_family)family, ratio, 3, a, b);
             const bmr_course course = course_of(&m, a, b);
             bmr_optimum optimum;
@@ -122,7 +122,7 @@ TEST(test_optimum_agrees_with_brute_force_over_directions) {
     static const bmr_family families[] = {BMR_FAMILY_ALGEBRAIC, BMR_FAMILY_ORBIT, BMR_FAMILY_RIGID_ALGEBRAIC,
                                           BMR_FAMILY_TUMBLE};
     for (size_t k = 0; k < 4; k++) {
-        own_polygon *a = outline(BMR_NGON_ELLIPSE, 12, k), *b = outline(BMR_NGON_REGULAR, 9, k);
+        own_polygon *a = ngon(BMR_NGON_ELLIPSE, 12, k), *b = ngon(BMR_NGON_REGULAR, 9, k);
         own_family m = family_motion(families[k], 6.0, k, a, b);
         const bmr_course course = course_of(&m, a, b);
         bmr_optimum optimum;
@@ -140,7 +140,7 @@ static bmr_polygon *point(void) {
 }
 
 TEST(test_contact_divides_a_cover) {
-    own_polygon *a = outline(BMR_NGON_REGULAR, 16, 1), *b = point();
+    own_polygon *a = ngon(BMR_NGON_REGULAR, 16, 1), *b = point();
     own_course course = course_past(a, b, -3.0, 0.3, 6.0, 0.0);
     bmr_cover_line lines[4];
     bmr_optimum optimum;

@@ -21,10 +21,10 @@ TEST(test_diameter_is_the_largest_distance_of_two_vertices) {
         }
 }
 
-TEST(test_outlines_have_n_vertices_and_diameter_up_to_2) {
+TEST(test_ngons_have_n_vertices_and_diameter_up_to_2) {
     for (int kind = 0; kind < BMR_NGON_COUNT; kind++)
         for (size_t n = 4; n <= 256; n *= 4) {
-            own_polygon *p = outline((bmr_ngon)kind, n, n + (size_t)kind);
+            own_polygon *p = ngon((bmr_ngon)kind, n, n + (size_t)kind);
             assert_int_equal(p->count, n);
             const double d = bmr_polygon_diameter(p), most = kind == BMR_NGON_DISC ? 1.0 : 2.0;
             assert_true(d <= most * (1.0 + 1e-12));
@@ -53,7 +53,7 @@ TEST(test_least_separation_is_sigma_within_1_percent) {
                                         {BMR_NGON_RANDOM, BMR_NGON_RANDOM}};
     for (int family = 0; family < BMR_FAMILY_COUNT; family++)
         for (size_t k = 0; k < 3; k++) {
-            own_polygon *a = outline(pairs[k][0], 32, k), *b = outline(pairs[k][1], 24, k + 7);
+            own_polygon *a = ngon(pairs[k][0], 32, k), *b = ngon(pairs[k][1], 24, k + 7);
             for (int step = 0; step < 3; step++) {
                 const double ratio = 2.0 * pow(16.0, step);
                 own_family m = family_motion((bmr_family)family, ratio, k + 1, a, b);
@@ -62,10 +62,10 @@ TEST(test_least_separation_is_sigma_within_1_percent) {
         }
 }
 
-/// B follows A's outline all the way round at one distance, without a jump.
+/// B follows A's boundary all the way round at one distance, without a jump.
 TEST(test_orbit_keeps_its_distance_and_closes) {
     for (size_t n = 3; n <= 100; n += 13) {
-        own_polygon *a = outline(BMR_NGON_RANDOM, n, n), *b = outline(BMR_NGON_LENS, n + 2, n);
+        own_polygon *a = ngon(BMR_NGON_RANDOM, n, n), *b = ngon(BMR_NGON_LENS, n + 2, n);
         own_family m = family_motion(BMR_FAMILY_ORBIT, 300.0, n, a, b);
         double turned = 0.0, last = NAN;
         for (int i = 0; i <= 20000; i++) {
@@ -84,7 +84,7 @@ TEST(test_orbit_keeps_its_distance_and_closes) {
 /// The control of the measurement: a motion whose least distance is known, and one that touches.
 TEST(test_least_distance_finds_a_short_approach) {
     const bmr_vec2 point = {0.0, 0.0};
-    own_polygon *a = outline(BMR_NGON_REGULAR, 64, 1), *b = NULL;
+    own_polygon *a = ngon(BMR_NGON_REGULAR, 64, 1), *b = NULL;
     assert_int_equal(bmr_polygon_create(&point, 1, NULL, &b), BMR_OK);
     for (int touches = 0; touches < 2; touches++) {
         const bmr_pose rest = bmr_pose_identity(), far = {{3.0, touches ? 0.99 : 1.25}, 1.0, 0.0};

@@ -14,7 +14,7 @@
 #define RATIO 20.0
 
 static stage set(bmr_family family, uint64_t seed) {
-    return stage_of(outline(BMR_NGON_ELLIPSE, VERTICES, seed), outline(BMR_NGON_DISC, VERTICES, seed),
+    return stage_of(ngon(BMR_NGON_ELLIPSE, VERTICES, seed), ngon(BMR_NGON_DISC, VERTICES, seed),
                     (bmr_family_def){family, RATIO, seed, family == BMR_FAMILY_LINE ? 0 : 64, 0});
 }
 
@@ -192,14 +192,14 @@ static const double kappa_back = 1.0 + 2.0 * 16.0 / 0.3;
 #define NEARER 1e6
 #define FEW_SEEDS 6
 
-static stage played(const bmr_ngon outlines[2], size_t n, bmr_family family, double ratio, uint64_t seed) {
-    return stage_of(outline(outlines[0], n, seed), outline(outlines[1], n, seed + 1),
+static stage played(const bmr_ngon ngons[2], size_t n, bmr_family family, double ratio, uint64_t seed) {
+    return stage_of(ngon(ngons[0], n, seed), ngon(ngons[1], n, seed + 1),
                     (bmr_family_def){family, ratio, seed, 64, 0});
 }
 
 static stage rigid(bmr_family family, uint64_t seed) {
-    static const bmr_ngon outlines[2] = {BMR_NGON_ELLIPSE, BMR_NGON_DISC};
-    return played(outlines, VERTICES, family, RATIO, seed);
+    static const bmr_ngon ngons[2] = {BMR_NGON_ELLIPSE, BMR_NGON_DISC};
+    return played(ngons, VERTICES, family, RATIO, seed);
 }
 
 static uint64_t events(const stage *s, const bmr_kds_info *structure) {
@@ -243,7 +243,7 @@ typedef struct swing {
 /// The free direction leans with the last spin, and fails soon when the body turns back. Two lines do not:
 /// the coarse line stands.
 TEST(events_of_turning_to_and_fro_are_no_more_than_the_clear_decomposition_that_is_proved) {
-    static const bmr_ngon outlines[2] = {BMR_NGON_REGULAR, BMR_NGON_REGULAR};
+    static const bmr_ngon ngons[2] = {BMR_NGON_REGULAR, BMR_NGON_REGULAR};
     static const swing swings[] = {{3, 4.0, 28}, {3, 6.0, 28}, {3, 8.0, 28}, {8, 64.0, 39}};
     // The last one's decomposition has 75,000 segments, and takes as long as all the rest.
     const size_t count = COUNT_OF(swings) - (test_scaled(2) < 2 ? 1 : 0);
@@ -251,9 +251,8 @@ TEST(events_of_turning_to_and_fro_are_no_more_than_the_clear_decomposition_that_
     uint64_t most[3] = {0, 0, 0};
     double nearest = INFINITY;
     for (const swing *at = swings; at < swings + count; ++at) {
-        own_stage s =
-            stage_of(outline(outlines[0], at->n, 2 * at->seed), outline(outlines[1], at->n, 2 * at->seed + 1),
-                     (bmr_family_def){BMR_FAMILY_TO_AND_FRO, at->ratio, at->seed, 0, 0});
+        own_stage s = stage_of(ngon(ngons[0], at->n, 2 * at->seed), ngon(ngons[1], at->n, 2 * at->seed + 1),
+                               (bmr_family_def){BMR_FAMILY_TO_AND_FRO, at->ratio, at->seed, 0, 0});
         bmr_clear clear;
         assert_int_equal(bmr_clear_decomposition(&s.course, kappa_back, s.motion.diameter, &clear), BMR_OK);
         for (int k = 0; k < 3; ++k) {
@@ -278,14 +277,14 @@ TEST(events_of_turning_to_and_fro_are_no_more_than_the_clear_decomposition_that_
 /// The vertices bound the events of a rigid motion, however near it comes: with a coarse line. The control is
 /// the free direction, whose events go on growing. How many more there are a hundred times as near:
 TEST(few_vertices_bound_the_events_of_rigid_motions) {
-    static const bmr_ngon outlines[2] = {BMR_NGON_RANDOM, BMR_NGON_RANDOM};
+    static const bmr_ngon ngons[2] = {BMR_NGON_RANDOM, BMR_NGON_RANDOM};
     const bmr_kds_info *const structures[] = {&bmr_kds_free_fd2, &bmr_kds_hybrid, &bmr_kds_two_lines};
     const bmr_family families[] = {BMR_FAMILY_RIGID_ALGEBRAIC, BMR_FAMILY_SPIN};
     for (int f = 0; f < 2; ++f) {
         double more[3] = {0.0, 0.0, 0.0};
         for (uint64_t seed = 1; seed <= FEW_SEEDS; ++seed)
             for (int nearer = 0; nearer < 2; ++nearer) {
-                own_stage s = played(outlines, FEW, families[f], nearer ? NEARER : NEAR, seed);
+                own_stage s = played(ngons, FEW, families[f], nearer ? NEARER : NEAR, seed);
                 for (int k = 0; k < 3; ++k)
                     more[k] += (nearer ? 1.0 : -1.0) * (double)events(&s, structures[k]) / FEW_SEEDS;
             }

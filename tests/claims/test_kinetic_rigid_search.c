@@ -22,20 +22,20 @@ static const bmr_kds_info *const structures[STRUCTURES] = {&bmr_kds_lazy_compass
 
 // ---- Bodies ----
 
-typedef enum outline {
+typedef enum shape_kind {
     REGULAR,
     LENS,
     ELLIPSE,
     RANDOM,
     FOCUS, ///< a 2 : 1 ellipse of half axis 1 with a focus at the frame's origin, its near end on the x axis
     KNEE,  ///< two long sides that meet in a rounded corner, whose centre is the frame's origin
-    OUTLINES
-} outline;
+    SHAPES
+} shape_kind;
 
 typedef struct body_def {
-    outline outline;
+    shape_kind kind;
     size_t vertices;
-    double phase;    ///< turns the outline
+    double phase;    ///< turns the polygon
     double x, y;     ///< moves it away from the frame's origin, which is what a rotation turns about
     double rounding; ///< of a knee
 } body_def;
@@ -45,20 +45,20 @@ static test_kds_body make_body(const body_def *def) {
     bmr_vec2 points[MOST_VERTICES + 2];
     size_t count = def->vertices;
     assert_true(count >= 3 && count <= MOST_VERTICES);
-    if (def->outline == KNEE) {
+    if (def->kind == KNEE) {
         // The arc turns by 120 degrees; the third corner is opposite of it.
         for (size_t i = 0; i < count; ++i) {
             const double angle = (2.0 * (double)i / (double)(count - 1) - 1.0) * PI / 3.0;
             points[i] = bmr_vec2_make(def->rounding * cos(angle), def->rounding * sin(angle));
         }
         points[count++] = bmr_vec2_make(-2.0, 0.0);
-    } else if (def->outline == FOCUS) {
+    } else if (def->kind == FOCUS) {
         for (size_t i = 0; i < count; ++i) {
             const double angle = 2.0 * PI * ((double)i + 0.3) / (double)count;
             points[i] = bmr_vec2_make(cos(angle) - ECCENTRICITY, 0.5 * sin(angle));
         }
     } else {
-        assert_int_equal(bmr_ngon_points(plain[def->outline], count, 1, points), BMR_OK);
+        assert_int_equal(bmr_ngon_points(plain[def->kind], count, 1, points), BMR_OK);
     }
     test_move_points(points, count, def->phase, def->x, def->y);
     return test_kds_body_make(made_polygon(points, count));

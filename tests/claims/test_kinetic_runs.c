@@ -14,7 +14,7 @@ int own_structure_main(void);
 #undef main
 
 static stage set(bmr_family family, double ratio, size_t n, uint64_t seed) {
-    return stage_of(outline(BMR_NGON_ELLIPSE, n, seed), outline(BMR_NGON_DISC, n, seed + 1),
+    return stage_of(ngon(BMR_NGON_ELLIPSE, n, seed), ngon(BMR_NGON_DISC, n, seed + 1),
                     (bmr_family_def){family, ratio, seed, 0, 0});
 }
 
@@ -73,7 +73,7 @@ static const bmr_kds_info *const structures[] = {&bmr_kds_free_fd2, &bmr_kds_pre
 
 /// Adds the lines that the optimum and the structures use on one motion, the first ones counted.
 static void count_lines(bmr_family family, uint64_t seed, double *optimum, double lines[STRUCTURES]) {
-    own_stage s = stage_of(outline(BMR_NGON_ELLIPSE, VERTICES, seed), outline(BMR_NGON_DISC, VERTICES, seed),
+    own_stage s = stage_of(ngon(BMR_NGON_ELLIPSE, VERTICES, seed), ngon(BMR_NGON_DISC, VERTICES, seed),
                            (bmr_family_def){family, RATIO, seed, 0, 0});
     bmr_optimum best;
     assert_int_equal(bmr_offline_optimum(&s.course, bmr_default_kds_def().margin, RESOLUTION, NULL, 0, &best),

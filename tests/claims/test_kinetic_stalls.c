@@ -11,7 +11,7 @@
 typedef struct stall {
     const char *structure;
     bmr_family family;
-    bmr_ngon outline;
+    bmr_ngon ngon;
     size_t n;
     double ratio;
     uint64_t seed;
@@ -33,9 +33,8 @@ static void observe(void *context, const bmr_simulation_event *event) {
 }
 
 static void follow(const stall *s) {
-    own_stage two =
-        stage_of(outline(s->outline, s->n, 2 * s->seed), outline(s->outline, s->n, 2 * s->seed + 1),
-                 (bmr_family_def){s->family, s->ratio, s->seed, 0, 0});
+    own_stage two = stage_of(ngon(s->ngon, s->n, 2 * s->seed), ngon(s->ngon, s->n, 2 * s->seed + 1),
+                             (bmr_family_def){s->family, s->ratio, s->seed, 0, 0});
     watch w = {0, 0, 0};
     bmr_run_def def = {.simulation = bmr_default_simulation_def(), .observer = observe, .context = &w};
     // Far below the separation, or the pair would be in contact.

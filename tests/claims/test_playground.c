@@ -72,8 +72,8 @@ static void leave_page(play_page *const *page) {
 /// Two bodies by hand, B to the right of A.
 static play_page *by_hand(const char *name, int n) {
     play_page *page = open_page();
-    assert_int_equal(play_set_outline(page, 0, BMR_NGON_ELLIPSE, n, 1), 0);
-    assert_int_equal(play_set_outline(page, 1, BMR_NGON_RANDOM, n, 2), 0);
+    assert_int_equal(play_set_ngon(page, 0, BMR_NGON_ELLIPSE, n, 1), 0);
+    assert_int_equal(play_set_ngon(page, 1, BMR_NGON_RANDOM, n, 2), 0);
     assert_int_equal(play_use_hand(page, structure(name), 0, 0, 0, 2.5, 0.5, 0.3), 0);
     return page;
 }
@@ -130,8 +130,8 @@ static void count_kind(void *context, const bmr_simulation_event *event) {
 /// (From the same bodies as by_hand's.)
 static void count_at_once(const bmr_kds_info *info, int n, uint64_t counts[BMR_KDS_EVENT_KIND_COUNT]) {
     play_body *bodies[2];
-    assert_int_equal(play_body_create_outline(BMR_NGON_ELLIPSE, (size_t)n, 1, 1.0, &bodies[0]), 0);
-    assert_int_equal(play_body_create_outline(BMR_NGON_RANDOM, (size_t)n, 2, 1.0, &bodies[1]), 0);
+    assert_int_equal(play_body_create_ngon(BMR_NGON_ELLIPSE, (size_t)n, 1, 1.0, &bodies[0]), 0);
+    assert_int_equal(play_body_create_ngon(BMR_NGON_RANDOM, (size_t)n, 2, 1.0, &bodies[1]), 0);
     double times[HOLDS + 1];
     bmr_pose poses[HOLDS + 1];
     for (int i = 0; i <= HOLDS; ++i) {
@@ -177,8 +177,8 @@ TEST(a_hand_s_counts_are_those_of_one_run_along_the_same_way) {
 
 TEST(a_course_has_the_same_events_however_it_is_played) {
     own_page *page = open_page();
-    assert_int_equal(play_set_outline(page, 0, BMR_NGON_ELLIPSE, 24, 1), 0);
-    assert_int_equal(play_set_outline(page, 1, BMR_NGON_LENS, 24, 2), 0);
+    assert_int_equal(play_set_ngon(page, 0, BMR_NGON_ELLIPSE, 24, 1), 0);
+    assert_int_equal(play_set_ngon(page, 1, BMR_NGON_LENS, 24, 2), 0);
     for (int family = 0; family < play_family_count(); ++family) {
         assert_int_equal(play_use_family(page, structure("lazy-compass"), family, 64.0, 3), 0);
         for (int i = 1; i <= 40; ++i)
@@ -338,9 +338,9 @@ TEST(bad_numbers_are_refused) {
     assert_int_equal(play_draw(page, PLAY_PICTURE_DUEL, 0), 0);
     assert_string_equal(play_text(page, PLAY_TEXT_PROOF), "");
     REFUSED(play_seek(page, 1.0));
-    REFUSED(play_set_outline(page, 2, 0, 5, 1));
-    REFUSED(play_set_outline(page, 0, 99, 5, 1));
-    REFUSED(play_set_outline(page, 0, 0, 100000, NAN));
+    REFUSED(play_set_ngon(page, 2, 0, 5, 1));
+    REFUSED(play_set_ngon(page, 0, 99, 5, 1));
+    REFUSED(play_set_ngon(page, 0, 0, 100000, NAN));
 }
 
 TEST(a_pair_stands_whatever_it_is_told) {

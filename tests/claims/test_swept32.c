@@ -23,13 +23,13 @@ static float random_in(float low, float high) {
 static const uint32_t trap_bits = 0x7fa00000u;
 
 /// A hull of up to 8 points, in order, in an array of 8. What is past the count is a trap.
-typedef struct outline {
+typedef struct hull {
     bmr_vec32 points[MOST];
     int32_t count;
-} outline;
+} hull;
 
-static outline random_outline(void) {
-    outline o;
+static hull random_hull(void) {
+    hull o;
     uint32_t *raw = (uint32_t *)(void *)o.points;
     for (int i = 0; i < 2 * MOST; ++i)
         raw[i] = trap_bits;
@@ -46,20 +46,20 @@ static outline random_outline(void) {
 }
 
 /// Of a regular square about the origin.
-static outline square(float half) {
-    const outline o = {{{half, -half}, {half, half}, {-half, half}, {-half, -half}}, 4};
+static hull square(float half) {
+    const hull o = {{{half, -half}, {half, half}, {-half, half}, {-half, -half}}, 4};
     return o;
 }
 
 typedef struct mover {
-    outline shape;
+    hull shape;
     bmr_motion32 motion;
     double angle; ///< at the end
 } mover;
 
 static const bmr_vec32 none = {0.0f, 0.0f};
 
-static mover place(outline shape, bmr_vec32 center, bmr_vec32 start, bmr_vec32 end, float angle, float turn) {
+static mover place(hull shape, bmr_vec32 center, bmr_vec32 start, bmr_vec32 end, float angle, float turn) {
     const mover m = {shape, {center, start, end, sinf(angle), cosf(angle), turn}, (double)angle};
     return m;
 }
@@ -69,7 +69,7 @@ static mover random_mover(bmr_vec32 about, float way, float turn) {
     const bmr_vec32 center = {random_in(-1.0f, 1.0f), random_in(-1.0f, 1.0f)};
     const bmr_vec32 end = {about.x + random_in(-3.0f, 3.0f), about.y + random_in(-3.0f, 3.0f)};
     const bmr_vec32 start = {end.x + random_in(-way, way), end.y + random_in(-way, way)};
-    return place(random_outline(), center, start, end, random_in(-3.0f, 3.0f), random_in(-turn, turn));
+    return place(random_hull(), center, start, end, random_in(-3.0f, 3.0f), random_in(-turn, turn));
 }
 
 static bmr_swept32 swept(const mover *m) {
@@ -195,7 +195,7 @@ TEST(what_is_apart_stays_so_all_the_way) {
 /// A point turns by as much as the series are for, and the other one stays: the answer changes where the
 /// nearer end, less the height of the arc, is as far off as asked.
 TEST(where_a_turn_began_is_known_to_rounding) {
-    const outline tip = {{{1.0f, 0.0f}}, 1};
+    const hull tip = {{{1.0f, 0.0f}}, 1};
     const bmr_vec32 far = {3.0f, 0.0f}, n = {1.0f, 0.0f};
     const double turn = 0.25, room = 2e-6;
     size_t looks = 0;
@@ -215,7 +215,7 @@ TEST(where_a_turn_began_is_known_to_rounding) {
 }
 
 TEST(a_shape_is_measured) {
-    const outline o = {{{1.0f, 1.0f}, {4.0f, 1.0f}, {4.0f, 5.0f}}, 3};
+    const hull o = {{{1.0f, 1.0f}, {4.0f, 1.0f}, {4.0f, 5.0f}}, 3};
     const bmr_vec32 center = {1.0f, 1.0f}, start = {7.0f, 8.0f}, end = {5.0f, 8.5f};
     const bmr_motion32 quarter = {center, start, end, 1.0f, 0.0f, 0.5f};
     bmr_swept32 s;
@@ -236,9 +236,9 @@ TEST(what_is_no_number_is_unknown) {
     for (size_t i = 0; i < 3; ++i)
         for (int32_t count = 1; count <= MOST; ++count)
             for (int32_t k = 0; k < 2 * count; ++k) {
-                outline o = random_outline();
+                hull o = random_hull();
                 while (o.count != count)
-                    o = random_outline();
+                    o = random_hull();
                 const bmr_vec32 away = {50.0f, 0.0f};
                 mover a = place(square(1.0f), none, none, none, 0.0f, 0.0f),
                       b = place(o, none, away, away, 0.0f, 0.0f);
@@ -293,7 +293,7 @@ TEST(nothing_past_count_is_computed_with) {
 
 TEST(what_lies_on_one_point_is_divided_by_nothing) {
     for (int32_t count = 1; count <= MOST; ++count) {
-        outline o = random_outline();
+        hull o = random_hull();
         o.count = count;
         for (int i = 0; i < count; ++i) // also with sides of no length
             o.points[i] = i < 3 ? none : o.points[0];
@@ -311,9 +311,9 @@ TEST(what_lies_on_one_point_is_divided_by_nothing) {
 TEST(a_posed_gap_is_the_distance_along_its_direction) {
     size_t told_from_its_reverse = 0;
     for (size_t round = 0; round < test_scaled(20000); ++round) {
-        const mover a = place(random_outline(), none, none, none, random_in(-3.0f, 3.0f), 0.0f);
+        const mover a = place(random_hull(), none, none, none, random_in(-3.0f, 3.0f), 0.0f);
         const bmr_vec32 at = {random_in(-8.0f, 8.0f), random_in(-8.0f, 8.0f)};
-        const mover b = place(random_outline(), none, at, at, random_in(-3.0f, 3.0f), 0.0f);
+        const mover b = place(random_hull(), none, at, at, random_in(-3.0f, 3.0f), 0.0f);
         const bmr_transform32 xa = {a.motion.end, a.motion.s, a.motion.c}, xb = {at, b.motion.s, b.motion.c};
         const float angle = random_in(-3.2f, 3.2f);
         const bmr_vec32 n = {cosf(angle), sinf(angle)}, back = {-n.x, -n.y};

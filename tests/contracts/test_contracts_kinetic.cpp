@@ -552,8 +552,8 @@ TEST_CASE("boomerang/families.h") {
     Row("bmr_ngon_points", [](Asked &ask) {
         std::vector<bmr_vec2> points(65536);
         const CountGsl here(ask.Allocator());
-        for (int outline = 0; outline < (ask.IsForMemory() ? BMR_NGON_COUNT : 1); ++outline) {
-            const auto kind = ask.Or("an outline", ask.IsForMemory() ? bmr_ngon(outline) : BMR_NGON_LENS,
+        for (int ngon = 0; ngon < (ask.IsForMemory() ? BMR_NGON_COUNT : 1); ++ngon) {
+            const auto kind = ask.Or("a kind of polygon", ask.IsForMemory() ? bmr_ngon(ngon) : BMR_NGON_LENS,
                                      {{BMR_NGON_COUNT, BMR_ERROR_OUT_OF_RANGE}});
             const size_t count = Count(ask.Number("points", 12, OutOfRange({2, 65536})));
             points[0] = {77.0, 77.0};

@@ -220,9 +220,9 @@ TEST_CASE("what cannot be drawn whole for want of memory is drawn in pieces") {
         world.CreateBody(&def)->CreateFixture(&shape, 1.0f);
     CountingDraw all, less;
     failing_malloc::FailAt(kNoFailure);
-    bmr::DrawConvexShapes(world, all, bmr::Outlines::Whole);
+    bmr::DrawConvexShapes(world, all, bmr::DrawAs::Whole);
     failing_malloc::FailAt(0);
-    bmr::DrawConvexShapes(world, less, bmr::Outlines::Whole);
+    bmr::DrawConvexShapes(world, less, bmr::DrawAs::Whole);
     failing_malloc::FailAt(kNoFailure);
     CHECK(all.polygons == 2);
     CHECK(less.polygons == 1 + 8); // 48 triangles, six to a piece

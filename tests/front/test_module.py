@@ -142,7 +142,7 @@ class Asked(unittest.TestCase):
             bmr.Pair(bmr.Polygon(SQUARE), bmr.Polygon(SQUARE), "lazy")
 
     def test_a_pair_says_no_more_than_is_true(self):
-        a, b = analysis.outline("ellipse", 64), analysis.outline("disc", 32, seed=3)
+        a, b = analysis.ngon("ellipse", 64), analysis.ngon("disc", 32, seed=3)
         for structure in _c.PAIR_STRUCTURES:
             pair, apart = bmr.Pair(a, b, structure), 0
             for step in range(300):
@@ -202,11 +202,11 @@ class Kinetic(unittest.TestCase):
         self.assertRaises(bmr.BoomerangError, simulation.run, math.nan)
         with self.assertRaisesRegex(ValueError, "there is no family 'lines'; there are line, "):
             analysis.family("lines", self.p, self.p, 8)
-        self.assertRaises(bmr.BoomerangError, analysis.outline, "disc", 2)
+        self.assertRaises(bmr.BoomerangError, analysis.ngon, "disc", 2)
         self.assertRaises(bmr.BoomerangError, analysis.fit_growth, [1], [1])
 
     def test_an_orbit_costs_its_root_and_no_less_than_the_optimum(self):
-        a, b = analysis.outline("ellipse", 64), analysis.outline("disc", 64)
+        a, b = analysis.ngon("ellipse", 64), analysis.ngon("disc", 64)
         ratios, events = [8, 64, 512], []
         for ratio in ratios:
             course = analysis.family("orbit", a, b, ratio)
@@ -219,7 +219,7 @@ class Kinetic(unittest.TestCase):
 
 class Memory(unittest.TestCase):
     def work(self):
-        a, b = analysis.outline("ellipse", 64), bmr.Polygon(SQUARE)
+        a, b = analysis.ngon("ellipse", 64), bmr.Polygon(SQUARE)
         for kind in _c.HIERARCHY_KINDS:
             self.assertGreater(a.hierarchy(kind).depth, 0)
         bmr.Pair(a, b, "lazy-compass").advance((5, 0))

@@ -246,9 +246,9 @@ class PlaygroundPage(unittest.TestCase):
         self.assertEqual(self.browser.run("return playground.core.place(0).corners"), 3)
 
     def test_an_address_says_what_is_chosen_and_nonsense_in_it_is_left_out(self):
-        self.show("mode=motions&family=spin&ratio=10&n=48&outline=lens&seed=7&structure=free-fd2&levels=all")
+        self.show("mode=motions&family=spin&ratio=10&n=48&ngon=lens&seed=7&structure=free-fd2&levels=all")
         place = self.browser.run("return playground.place")
-        self.assertEqual([place[k] for k in ("family", "ratio", "n", "outline", "seed", "structure", "levels")],
+        self.assertEqual([place[k] for k in ("family", "ratio", "n", "ngon", "seed", "structure", "levels")],
                          ["spin", 10, 48, "lens", 7, "free-fd2", "all"])
         first = self.browser.run("return playground.panels.sum(0, 'events_in_all')")
         self.show(self.browser.run("return location.hash").lstrip("#"))

@@ -19,14 +19,14 @@ constexpr float kMostOverlap = 2.5f * b2_linearSlop;
 class Coin {
 public:
     Coin(Kind kind, int vertices, float radius, float phase = 0.0f) : m_kind(kind) {
-        const std::vector<b2Vec2> outline = shapes::Circle(vertices, double{radius}, 0.0, 0.0, double{phase});
+        const std::vector<b2Vec2> circle = shapes::Circle(vertices, double{radius}, 0.0, 0.0, double{phase});
         m_circle.m_radius = radius;
         if (kind == Kind::One)
-            REQUIRE(m_one.Set(outline.data(), vertices) == BMR_OK);
+            REQUIRE(m_one.Set(circle.data(), vertices) == BMR_OK);
         for (int first = 1; kind == Kind::Many && first < vertices - 1; first += 6) {
-            std::vector<b2Vec2> piece = {outline[0]};
+            std::vector<b2Vec2> piece = {circle[0]};
             for (int i = first; i <= std::min(first + 6, vertices - 1); ++i)
-                piece.push_back(outline[static_cast<size_t>(i)]);
+                piece.push_back(circle[static_cast<size_t>(i)]);
             m_pieces.emplace_back().Set(piece.data(), static_cast<int32>(piece.size()));
         }
     }

@@ -90,7 +90,7 @@ bool IsHull(const ConvexShape &shape, const Points &points) {
     return count >= 3;
 }
 
-struct Outline : IdleDraw {
+struct Drawn : IdleDraw {
     struct Polygon {
         Points points;
         b2Color color;
@@ -395,7 +395,7 @@ TEST_CASE("above 8 vertices every question is answered from the real polygon, as
     CHECK(octagonDiffers > 0);
 }
 
-TEST_CASE("outlines that games ask for") {
+TEST_CASE("regular, rounded and simplified polygons have the vertices that they should") {
     ConvexShape shape;
     for (const int32 count : {3, 4, 8, 9, 100, 4096, 12000}) {
         REQUIRE(shape.SetRegular(count, 2.0f) == BMR_OK);
@@ -441,9 +441,9 @@ TEST_CASE("outlines that games ask for") {
     CHECK(shape.GetVertexCount() == left);
 }
 
-TEST_CASE("drawn are the real outlines, in the colours of DebugDraw") {
+TEST_CASE("drawn are the real polygons, in the colours of DebugDraw") {
     b2World world(b2Vec2(0.0f, -10.0f));
-    Outline box2d, ours;
+    Drawn box2d, ours;
     box2d.SetFlags(b2Draw::e_shapeBit);
     world.SetDebugDraw(&box2d);
     ConvexShape shape;
@@ -462,7 +462,7 @@ TEST_CASE("drawn are the real outlines, in the colours of DebugDraw") {
     def.position.Set(0.0f, -20.0f);
     world.CreateBody(&def)->CreateFixture(&plain, 1.0f);
     world.DebugDraw();
-    bmr::DrawConvexShapes(world, ours, bmr::Outlines::Whole);
+    bmr::DrawConvexShapes(world, ours, bmr::DrawAs::Whole);
     REQUIRE(ours.polygons.size() == 6);
     REQUIRE(box2d.polygons.size() == 7); // newest body first
     for (size_t i = 0; i < 6; ++i) {
@@ -486,7 +486,7 @@ double AreaOf(const Points &points) {
 
 } // namespace
 
-TEST_CASE("unless asked for whole outlines, a drawer gets no more than 8 vertices at a time") {
+TEST_CASE("unless asked for whole polygons, a drawer gets no more than 8 vertices at a time") {
     for (const int32 count : {9, 13, 14, 15, 20, 1000}) {
         CAPTURE(count);
         b2World world({0.0f, 0.0f});
@@ -496,13 +496,13 @@ TEST_CASE("unless asked for whole outlines, a drawer gets no more than 8 vertice
         def.position.Set(3.0f, -2.0f);
         def.angle = 0.7f;
         world.CreateBody(&def)->CreateFixture(&shape, 1.0f);
-        Outline pieces, whole;
+        Drawn pieces, whole;
         bmr::DrawConvexShapes(world, pieces);
-        bmr::DrawConvexShapes(world, whole, bmr::Outlines::Whole);
+        bmr::DrawConvexShapes(world, whole, bmr::DrawAs::Whole);
         REQUIRE(whole.polygons.size() == 1);
         double area = 0.0;
         size_t corners = 2; // each piece shares two with the one before
-        for (const Outline::Polygon &piece : pieces.polygons) {
+        for (const Drawn::Polygon &piece : pieces.polygons) {
             CHECK(piece.points.size() >= 3);
             CHECK(piece.points.size() <= b2_maxPolygonVertices);
             const double part = AreaOf(piece.points);

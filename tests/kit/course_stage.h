@@ -9,7 +9,7 @@
 /// @file
 /// Two bodies and one motion of them from a family. In C.
 
-static inline bmr_polygon *outline(bmr_ngon kind, size_t n, uint64_t seed) {
+static inline bmr_polygon *ngon(bmr_ngon kind, size_t n, uint64_t seed) {
     bmr_vec2 *points = malloc(n * sizeof *points);
     assert_non_null(points);
     assert_int_equal(bmr_ngon_points(kind, n, seed, points), BMR_OK);

@@ -39,7 +39,7 @@ enum class Mode : int32_t {
 
 /// How polygons of more than b2_maxPolygonVertices vertices are handed to a game's b2Draw. A drawer that was
 /// written for Box2D's polygons may have room for 8 vertices and no more.
-enum class Outlines : int32_t {
+enum class DrawAs : int32_t {
     Pieces, ///< as a fan of polygons of at most 8 vertices
     Whole   ///< at once: for drawers that take any number
 };
@@ -82,7 +82,7 @@ struct Options {
     /// 0: only refusals and differences are printed on stderr. 1: Presence, too.
     int32_t verbosity = 0;
     /// How b2World::DebugDraw draws a ConvexShape, if the shared library stands in front of Box2D.
-    Outlines outlines = Outlines::Pieces;
+    DrawAs drawAs = DrawAs::Pieces;
 };
 
 /// Puts Boomerang to work for every world in the process. Call it once, before or after worlds exist

@@ -157,11 +157,11 @@ private:
 };
 
 /// Draws every ConvexShape of more than 8 vertices, and every piece of an OutlineShape, with its real
-/// outline, in the colours of b2World::DebugDraw; call it after that, on the same thread. Where the shared
-/// library stands in front of Box2D, DebugDraw itself draws them (as Options::outlines says), and a call that
-/// follows it for the same world and drawer does nothing. Outlines::Pieces, a fan of polygons of at most 8
-/// vertices, suits every drawer; Outlines::Whole hands DrawSolidPolygon up to 65,535 vertices at a time.
-BMR_BOX2D_API void DrawConvexShapes(const b2World &world, b2Draw &draw, Outlines outlines = Outlines::Pieces);
+/// vertices, in the colours of b2World::DebugDraw; call it after that, on the same thread. Where the shared
+/// library stands in front of Box2D, DebugDraw itself draws them (as Options::drawAs says), and a call that
+/// follows it for the same world and drawer does nothing. DrawAs::Pieces, a fan of polygons of at most 8
+/// vertices, suits every drawer; DrawAs::Whole hands DrawSolidPolygon up to 65,535 vertices at a time.
+BMR_BOX2D_API void DrawConvexShapes(const b2World &world, b2Draw &draw, DrawAs drawAs = DrawAs::Pieces);
 
 } // namespace bmr
 

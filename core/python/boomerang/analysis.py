@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the paper's table is measured with: outlines, families of motions with a chosen least separation, the offline optimum, and fits
+"""What the paper's table is measured with: polygons, families of motions with a chosen least separation, the offline optimum, and fits
 of growth (boomerang/families.h, analysis.h). Loads libboomerang_kinetic, as boomerang.kinetic does."""
 from ctypes import byref, c_double
 from typing import NamedTuple
@@ -16,7 +16,7 @@ def _names(function):
     return tuple(names)
 
 
-OUTLINES = _names(library.bmr_ngon_name)
+NGONS = _names(library.bmr_ngon_name)
 FAMILIES = _names(library.bmr_family_name)
 
 
@@ -26,10 +26,10 @@ def _find(name, names, what):
     return names.index(name)
 
 
-def outline(name, n, seed=1):
+def ngon(name, n, seed=1):
     """A polygon of n vertices and diameter about 2: "regular", "random", "lens", "ellipse" or "disc"."""
     points = (_c.vec2 * max(3, min(int(n), 1 << 17)))()
-    library.bmr_ngon_points(_find(name, OUTLINES, "outline"), n, seed, points)
+    library.bmr_ngon_points(_find(name, NGONS, "polygon"), n, seed, points)
     return Polygon(_c.point(p) for p in points[:n])
 
 

@@ -30,7 +30,7 @@ arrives = kinetic.Motion.screw((-9, 0.5), velocity=(2, 0))
 print(f"they touch at {kinetic.time_of_contact(ellipse, motions[0], ellipse, arrives, until=10):.4f}")
 
 # %% A row of the paper's Table 1: events grow with the logarithm of D/sigma on convex paths, with its root on an orbit.
-a, b = analysis.outline("ellipse", 256), analysis.outline("disc", 256)
+a, b = analysis.ngon("ellipse", 256), analysis.ngon("disc", 256)
 ratios = [8, 32, 128, 512, 2048]
 for name in ("line", "orbit"):
     runs = [[analysis.family(name, a, b, ratio, seed).run("lazy-dudley") for seed in (1, 2, 3)] for ratio in ratios]
