@@ -18,10 +18,10 @@
 /// products of rotations, one with a point, and the sums.
 #define VALUE_ROUNDINGS 16.0
 
-/// A condition that is zero up to rounding at this many looks is taken to stay zero.
-#define FLAT_LOOKS 256
+/// A condition that is zero up to rounding at this many samples is taken to stay zero.
+#define FLAT_SAMPLES 256
 
-/// The most intervals that are looked at for bounds. A step needs two; thousands, where a rotation is near a
+/// The most intervals that are bounded. A step needs two; thousands, where a rotation is near a
 /// pole all the way.
 #define MOST_INTERVALS (4 * BMR_FAILURE_MAX_STEPS)
 
@@ -39,13 +39,13 @@ typedef struct search {
     const bmr_motion_piece *owner, *other;
     double tolerance;
     double reach, arm; ///< lengths of the condition's normal and point
-    size_t intervals;  ///< looked at for bounds so far
+    size_t intervals;  ///< bounded so far
 } search;
 
-typedef struct look {
+typedef struct sample {
     double time, value, slope;
     double noise; ///< bound of the rounding error of `value`
-} look;
+} sample;
 
 /// What holds over an interval.
 typedef struct bounds {
@@ -58,14 +58,14 @@ static bmr_vec2 velocity_of(const bmr_instant *body, bmr_vec2 offset) {
     return bmr_add(body->velocity, bmr_scale(body->spin, bmr_left(offset)));
 }
 
-static look look_at(const search *s, double time) {
+static sample sample_at(const search *s, double time) {
     const bmr_condition *k = s->condition;
     const bmr_instant own = bmr_piece_instant(s->owner, time), other = bmr_piece_instant(s->other, time);
     const bmr_vec2 way = bmr_sub(other.pose.position, own.pose.position);
     const bmr_vec2 normal = bmr_rotate(&own.pose, k->normal), point = bmr_rotate(&other.pose, k->point);
     const double clock = fabs(time) + fabs(time - s->owner->origin) + fabs(time - s->other->origin);
     const double reach = s->reach, arm = s->arm;
-    look at = {time, 0.0, 0.0, 0.0};
+    sample at = {time, 0.0, 0.0, 0.0};
     double size, rate; // lengths involved, and how fast a rounding of the time moves them
     if (k->kind == BMR_CONDITION_TURN) {
         at.value = bmr_cross(normal, point);
@@ -140,7 +140,7 @@ static bounds bound_over(search *s, double time, double width) {
 }
 
 /// How long f stays positive for certain: the root of value + slope t - bend t^2 / 2.
-static double safe_step(const look *at, double bend) {
+static double safe_step(const sample *at, double bend) {
     const double root = sqrt(at->slope * at->slope + 2.0 * bend * at->value);
     if (at->slope < 0.0)
         return 2.0 * at->value / (root - at->slope);
@@ -148,7 +148,7 @@ static double safe_step(const look *at, double bend) {
 }
 
 /// The step between whose ends, both positive, a dip is lost in the rounding.
-static double blind_step(const look *at, const bounds *b) {
+static double blind_step(const sample *at, const bounds *b) {
     const double step = sqrt(8.0 * at->noise / b->dip);
     return fmax(step, TIME_ROUNDINGS * DBL_EPSILON * fabs(at->time));
 }
@@ -156,7 +156,7 @@ static double blind_step(const look *at, const bounds *b) {
 // ---- the last digits ----
 
 static double value_at(double time, void *context) {
-    return look_at(context, time).value;
+    return sample_at(context, time).value;
 }
 
 /// From positive at `low` to not positive at `high`: a time, at most the tolerance before the root, at which
@@ -192,34 +192,34 @@ static double narrow(const search *s, double low, double high) {
 // ---- the walk ----
 
 /// Judges a condition that is not positive at the beginning. True: it fails there and then. False: *at is a
-/// look, there or a little later, from which the walk can go on.
-static bool fails_at_start(search *s, double to, bool fresh, look *at) {
+/// sample, there or a little later, from which the walk can go on.
+static bool fails_at_start(search *s, double to, bool fresh, sample *at) {
     if (at->value > 0.0)
         return false;
     if (at->value < -BMR_START_NOISES * at->noise) {
         const double grace = bmr_start_grace(at->time, s->tolerance);
         if (!fresh || !(at->time + grace < to))
             return true;
-        *at = look_at(s, at->time + grace);
+        *at = sample_at(s, at->time + grace);
         if (at->value < -BMR_START_NOISES * at->noise)
             return true;
     }
-    for (int looks = 0; looks < FLAT_LOOKS; looks++) {
+    for (int samples = 0; samples < FLAT_SAMPLES; samples++) {
         if (at->value > BMR_START_NOISES * at->noise || !(at->time < to))
             return false;
         if (at->value < -BMR_START_NOISES * at->noise)
             return true;
-        const double room = to - at->time;
-        bounds b = bound_over(s, at->time, room);
-        double step = fmin(blind_step(at, &b), room);
+        const double rest = to - at->time;
+        bounds b = bound_over(s, at->time, rest);
+        double step = fmin(blind_step(at, &b), rest);
         b = bound_over(s, at->time, step);
-        step = fmin(blind_step(at, &b), room);
+        step = fmin(blind_step(at, &b), rest);
         // Over this step the curvature changes the value by four noises at most, so that a larger slope
         // decides.
         const double growth = at->slope * step;
         if (growth < -2.0 * BMR_START_NOISES * at->noise)
             return true;
-        *at = look_at(s, at->time + step);
+        *at = sample_at(s, at->time + step);
         if (growth > 2.0 * BMR_START_NOISES * at->noise && at->value > 0.0)
             return false;
     }
@@ -227,18 +227,18 @@ static bool fails_at_start(search *s, double to, bool fresh, look *at) {
 }
 
 /// The first failure in [from, to], by steps over which a bound of the second derivative keeps the condition
-/// positive, and GSL's Brent solver once two neighbouring looks have different signs. For any two pieces;
+/// positive, and GSL's Brent solver once two neighbouring samples have different signs. For any two pieces;
 /// needed where a spinning screw takes part. `fresh`: `from` is where the caller begins, and a condition a
 /// little below zero that is above it after a few tolerances is growing; else it follows on another piece.
-/// INFINITY if there is none. A condition costs two sines and cosines a look; a root takes about ten looks,
-/// and a whole turn some five more. Errors: NOT_FINITE (the motion overflows), OUT_OF_RANGE (more than
-/// BMR_FAILURE_MAX_STEPS steps); then *time is untouched.
+/// INFINITY if there is none. A condition costs two sines and cosines a sample; a root takes about ten
+/// samples, and a whole turn some five more. Errors: NOT_FINITE (the motion overflows), OUT_OF_RANGE (more
+/// than BMR_FAILURE_MAX_STEPS steps); then *time is untouched.
 static bmr_error safe_failure(const bmr_condition *condition, const bmr_motion_piece *owner,
                               const bmr_motion_piece *other, double from, double to, bool fresh,
                               double tolerance, double *time) {
     search s = {
         condition, owner, other, tolerance, bmr_length(condition->normal), bmr_length(condition->point), 0};
-    look at = look_at(&s, from);
+    sample at = sample_at(&s, from);
     if (!isfinite(at.value))
         return BMR_ERROR_NOT_FINITE;
     if (fails_at_start(&s, to, fresh, &at)) {
@@ -249,10 +249,10 @@ static bmr_error safe_failure(const bmr_condition *condition, const bmr_motion_p
     for (size_t steps = 0; at.time < to; steps++) {
         if (steps == BMR_FAILURE_MAX_STEPS || s.intervals > MOST_INTERVALS)
             return BMR_ERROR_OUT_OF_RANGE;
-        const double room = to - at.time;
-        window = fmin(window, room);
+        const double rest = to - at.time;
+        window = fmin(window, rest);
         const bounds b = bound_over(&s, at.time, window);
-        const double blind = fmin(blind_step(&at, &b), room);
+        const double blind = fmin(blind_step(&at, &b), rest);
         double step = safe_step(&at, b.bend);
         if (!(step >= 0.0))
             step = 0.0; // an infinite bound, or a value that rounding took below zero
@@ -265,8 +265,8 @@ static bmr_error safe_failure(const bmr_condition *condition, const bmr_motion_p
             step = window;
             window *= 4.0;
         }
-        step = fmin(fmax(step, blind), room);
-        const look next = look_at(&s, step < room ? at.time + step : to);
+        step = fmin(fmax(step, blind), rest);
+        const sample next = sample_at(&s, step < rest ? at.time + step : to);
         if (!isfinite(next.value))
             return BMR_ERROR_NOT_FINITE;
         if (!(next.value > 0.0)) {

@@ -36,7 +36,7 @@ bmr_error bmr_first_failure(const bmr_condition *conditions, size_t count, const
 
 /// From where a failing condition is no longer positive, at or a little after `time`: its failure is reported
 /// up to a tolerance (here: absolute) early, and structures take a positive condition for a call that comes
-/// too early. No look after the second is farther from `time` than `longest`.
+/// too early. No sample after the second is farther from `time` than `longest`.
 double bmr_repair_time(const bmr_pair_motion *motion, const bmr_condition *condition, double time,
                        double tolerance, double longest);
 

@@ -53,7 +53,7 @@ typedef struct bmr_piece_rates {
     double spin_change;         ///< the largest magnitude of that rate's derivative
 } bmr_piece_rates;
 /// `to` - `from` finite. O(degree) and, where the rotation comes near a pole, as many subdivisions as that
-/// takes (at most 2^POLE_DEPTH of them). Adds to *intervals how many it looked at.
+/// takes (at most 2^POLE_DEPTH of them). Adds to *intervals how many it bounded.
 bmr_piece_rates bmr_piece_bounds(const bmr_motion_piece *piece, double from, double to, size_t *intervals);
 /// The largest magnitude of the spin.
 static inline double bmr_rates_spin(const bmr_piece_rates *rates) {
@@ -87,8 +87,8 @@ double bmr_pair_separation(const bmr_pair_motion *pair, double time);
 /// if that is more; INFINITY if there is none. The separation changes no faster than the fastest points of
 /// the bodies: steps that they cannot make up for are safe. Steps are at least a thousandth of `longest_step`
 /// (a pair apart for less than that may be missed) and at most `longest_step`; the time is exact up to the
-/// tolerance, and not before the true one. NAN: not found within two million looks. While nothing moves, no
-/// look is needed.
+/// tolerance, and not before the true one. NAN: not found within two million samples. While nothing moves, no
+/// sample is needed.
 double bmr_pair_leaves(const bmr_pair_motion *pair, double from, double to, double target,
                        double longest_step, double tolerance);
 

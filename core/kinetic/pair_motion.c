@@ -12,12 +12,12 @@
 #define JUMP 1e-9
 
 /// The shortest step of the search for the end of a contact, in parts of the longest: a pair that slides
-/// along at the very distance that ends a contact is looked at so often and no more.
+/// along at the very distance that ends a contact is sampled so often and no more.
 #define LEAST_STEP_PART 1e-3
 
 /// Looks at one contact in one search, at most: about a second. At the default that is 200,000 units of time
 /// in the longest steps, and 200 in the shortest.
-#define MAX_LOOKS ((size_t)1 << 21)
+#define MOST_SAMPLES ((size_t)1 << 21)
 
 bmr_instant bmr_pair_instant(const bmr_pair_motion *pair, double time) {
     bmr_instant a, b, now;
@@ -36,9 +36,9 @@ static bool jumps(const bmr_motion *motion, double time) {
     if (earlier == later)
         return false;
     const bmr_pose p = bmr_piece_instant(earlier, time).pose, q = bmr_piece_instant(later, time).pose;
-    const double room = JUMP * (1.0 + fabs(p.position.x) + fabs(p.position.y));
+    const double rounding = JUMP * (1.0 + fabs(p.position.x) + fabs(p.position.y));
     // Written so that a NaN is a jump.
-    return !(fabs(p.position.x - q.position.x) <= room && fabs(p.position.y - q.position.y) <= room &&
+    return !(fabs(p.position.x - q.position.x) <= rounding && fabs(p.position.y - q.position.y) <= rounding &&
              fabs(p.c - q.c) <= JUMP && fabs(p.s - q.s) <= JUMP);
 }
 
@@ -120,10 +120,10 @@ double bmr_pair_leaves(const bmr_pair_motion *pair, double from, double to, doub
     // A contact may begin a rounding above the target: then it must rise from there.
     const double level = fmax(target, here);
     double time = from;
-    for (size_t looks = 0; time < to; looks++) {
-        if (looks == MAX_LOOKS)
+    for (size_t samples = 0; time < to; samples++) {
+        if (samples == MOST_SAMPLES)
             return NAN;
-        // Time is resolved to the tolerance: looks nearer to one another say nothing.
+        // Time is resolved to the tolerance: samples nearer to one another say nothing.
         double end = fmin(to, fmax(time + fmax(longest_step, tolerance), nextafter(time, INFINITY)));
         const double speed = bmr_pair_speed(pair, time, end);
         // A pair at rest stays where it is until a piece ends.

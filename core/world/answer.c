@@ -11,7 +11,7 @@
 /// Approaches below this part of the first one are none.
 #define NO_APPROACH 0x1p-46
 
-/// ZENO_ELASTIC takes a pair for jammed when its margin was halved so often. Early: the room that is left
+/// ZENO_ELASTIC takes a pair for jammed when its margin was halved so often. Early: the distance that is left
 /// down to what structures can prove is what a pile has to come loose in.
 #define JAMMED 3u
 
@@ -184,16 +184,16 @@ static bmr_error answer(bmr_world *w, bmr_body_pair *c, const bmr_response *resp
     return bmr_body_pair_resume(w, c, contact->placed, contact->approach[fastest(contact)]);
 }
 
-bmr_error bmr_contact_tell(bmr_world *w, bmr_body_pair *c, bool placed) {
+bmr_error bmr_contact_report(bmr_world *w, bmr_body_pair *c, bool placed) {
     bmr_touch touch;
     bmr_touch_describe(w, c, placed, &touch);
-    // While it is told nothing is due of this pair, and it is as one that passes.
+    // While it is reported nothing is due of this pair, and it is as one that passes.
     bmr_body_pair_hold(w, c);
     bmr_response response = w->def.response;
     if (w->def.contact) {
         w->busy = c;
-        const bmr_contact told = touch.contact;
-        response = w->def.contact(w->def.context, w, &told);
+        const bmr_contact contact = touch.contact;
+        response = w->def.contact(w->def.context, w, &contact);
         c = w->busy; // NULL: it is gone
         w->busy = NULL;
     }

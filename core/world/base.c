@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every part of a world needs: memory that is counted, why the world stopped, who is told of events.
+// What every part of a world needs: memory that is counted, why the world stopped, who observes events.
 #include <string.h>
 
 #include "geometry/memory.h"

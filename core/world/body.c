@@ -31,9 +31,9 @@
 #define UNSEEN_PART 0x1p-20
 
 /// By how much a pose may differ from another one of the same time: its place, and its (c, s).
-typedef struct pose_room {
+typedef struct pose_rounding {
     double place, turn;
-} pose_room;
+} pose_rounding;
 
 /// Sum of the lengths of a path's terms.
 static double terms(const double *x, const double *y, size_t degree, double elapsed) {
@@ -43,9 +43,9 @@ static double terms(const double *x, const double *y, size_t degree, double elap
     return sum;
 }
 
-static pose_room room_of(const bmr_motion_piece *piece, const bmr_instant *now, double time) {
+static pose_rounding rounding_of(const bmr_motion_piece *piece, const bmr_instant *now, double time) {
     const double elapsed = fabs(time - piece->origin);
-    pose_room size;
+    pose_rounding size;
     if (piece->kind == BMR_PIECE_SCREW) {
         const bmr_screw_motion *p = &piece->as.screw;
         const double x[] = {p->start.position.x, p->velocity.x}, y[] = {p->start.position.y, p->velocity.y};
@@ -58,9 +58,9 @@ static pose_room room_of(const bmr_motion_piece *piece, const bmr_instant *now, 
             terms(p->a, p->b, p->rotation_degree, elapsed) / bmr_length(bmr_vec2_make(here.a[0], here.b[0]));
     }
     const double part = ROUNDINGS * DBL_EPSILON, clock = BMR_CLOCK_ROUNDINGS * DBL_EPSILON * fabs(time);
-    const pose_room room = {part * size.place + clock * bmr_length(now->velocity),
-                            part * size.turn + clock * fabs(now->spin)};
-    return room;
+    const pose_rounding rounding = {part * size.place + clock * bmr_length(now->velocity),
+                                    part * size.turn + clock * fabs(now->spin)};
+    return rounding;
 }
 
 /// Is the piece a jump from where the body is now, by more than rounding?
@@ -69,7 +69,7 @@ static bool jumps(const bmr_world *w, const bmr_world_body *r, const bmr_motion_
     bmr_timed_piece next;
     bmr_timed_piece_set(&next, w->time, piece); // of unit length
     const bmr_instant p = bmr_piece_instant(before, w->time), q = bmr_piece_instant(&next.piece, w->time);
-    const pose_room old = room_of(before, &p, w->time), new = room_of(&next.piece, &q, w->time);
+    const pose_rounding old = rounding_of(before, &p, w->time), new = rounding_of(&next.piece, &q, w->time);
     const double unseen = UNSEEN_PART * w->def.kds.margin;
     const double place = old.place + new.place + ROUNDINGS *DBL_EPSILON * r->radius + unseen;
     const double turn = old.turn + new.turn + unseen / fmax(r->radius, w->def.kds.margin);
@@ -227,16 +227,16 @@ static bmr_error settle(bmr_world *w, bmr_world_body *r, int level, int64_t colu
 /// The way out of its cell after `after`, or its motion's next piece.
 static bmr_error search_own(bmr_world *w, bmr_world_body *r, double after) {
     double time = INFINITY;
-    r->look = false;
+    r->unfinished = false;
     if (r->cell) {
         w->counts.disk_times++;
-        const bmr_error error = bmr_body_leaves_cell(w, r, after, &time, &r->look);
+        const bmr_error error = bmr_body_leaves_cell(w, r, after, &time, &r->unfinished);
         if (error != BMR_OK)
             return error;
     }
     if (r->until <= time) {
         time = r->until;
-        r->look = false;
+        r->unfinished = false;
     }
     bmr_event_queue_set(&w->queue, &r->head.item, time);
     return BMR_OK;
@@ -246,7 +246,7 @@ static bmr_error search_own(bmr_world *w, bmr_world_body *r, double after) {
 static void search_later(bmr_world *w, bmr_world_body *r, double after) {
     if (search_own(w, r, after) == BMR_OK)
         return;
-    r->look = true;
+    r->unfinished = true;
     bmr_event_queue_set(&w->queue, &r->head.item, w->time);
 }
 
@@ -283,8 +283,8 @@ static bmr_error choose_level(const bmr_world *w, const bmr_world_body *r, bmr_v
 /// A column (or row) is left when the place is beyond it by half of the hysteresis: at the time computed it
 /// is beyond by all of it, up to rounding.
 static int64_t column_at(int64_t before, int64_t now, double place) {
-    const double room = 0.5 * BMR_CELL_HYSTERESIS;
-    return place >= (double)before - room && place <= (double)before + 1.0 + room ? before : now;
+    const double slack = 0.5 * BMR_CELL_HYSTERESIS;
+    return place >= (double)before - slack && place <= (double)before + 1.0 + slack ? before : now;
 }
 
 static bmr_error cross(bmr_world *w, bmr_world_body *r) {
@@ -319,7 +319,7 @@ static bmr_error cross(bmr_world *w, bmr_world_body *r) {
 
 // ---- motions ----
 
-/// Gives up all pairs: after a jump nothing that was known is true. The one whose contact is being told
+/// Gives up all pairs: after a jump nothing that was known is true. The one whose contact is being reported
 /// goes with them.
 static void forget_pairs(bmr_world *w, bmr_world_body *r) {
     while (r->first)
@@ -399,8 +399,8 @@ static bmr_error next_piece(bmr_world *w, bmr_world_body *r) {
 bmr_error bmr_body_event(bmr_world *w, bmr_world_body *r) {
     if (r->until <= w->time)
         return next_piece(w, r);
-    if (r->look) {
-        w->counts.looks++;
+    if (r->unfinished) {
+        w->counts.continued++;
         return search_own(w, r, w->time);
     }
     return cross(w, r);
@@ -469,7 +469,7 @@ static double radius_of(const bmr_polygon *polygon) {
     return most * (1.0 + 0x1p-50);
 }
 
-/// Where it is to live, and a first look at its shape: what a structure would say of it.
+/// Where it is to live, and whether its shape will do: what a structure would say of it.
 static bmr_error check_body(bmr_world *w, const bmr_body_def *def, bmr_world_body *r, int *level) {
     if (!(def->mass > 0.0) || !(def->inertia > 0.0))
         return isnan(def->mass) || isnan(def->inertia) ? BMR_ERROR_NOT_FINITE : BMR_ERROR_OUT_OF_RANGE;

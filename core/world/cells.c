@@ -68,12 +68,12 @@ void bmr_grid_place(const bmr_world *w, int level, bmr_vec2 position, int64_t *c
     *row = (int64_t)floor(at.y);
 }
 
-void bmr_cell_box(const bmr_world *w, int level, int64_t column, int64_t row, double room, bmr_vec2 *low,
+void bmr_cell_box(const bmr_world *w, int level, int64_t column, int64_t row, double border, bmr_vec2 *low,
                   bmr_vec2 *high) {
     const bmr_vec2 size = bmr_cell_size(w, level), base = grid_origin(w);
     const double x = (double)column, y = (double)row;
-    *low = bmr_vec2_make(base.x + (x - room) * size.x, base.y + (y - room) * size.y);
-    *high = bmr_vec2_make(base.x + (x + 1.0 + room) * size.x, base.y + (y + 1.0 + room) * size.y);
+    *low = bmr_vec2_make(base.x + (x - border) * size.x, base.y + (y - border) * size.y);
+    *high = bmr_vec2_make(base.x + (x + 1.0 + border) * size.x, base.y + (y + 1.0 + border) * size.y);
 }
 
 // ---- the table ----
@@ -278,9 +278,9 @@ static double beyond(double cell, double place) {
     return fmax(cell - place, place - (cell + 1.0));
 }
 
-bool bmr_body_in_cell(const bmr_world *w, const bmr_world_body *r, bmr_vec2 position, double room) {
+bool bmr_body_in_cell(const bmr_world *w, const bmr_world_body *r, bmr_vec2 position, double border) {
     const bmr_vec2 at = bmr_grid_cells(w, r->cell->level, position);
-    return fmax(beyond((double)r->column, at.x), beyond((double)r->row, at.y)) <= room;
+    return fmax(beyond((double)r->column, at.x), beyond((double)r->row, at.y)) <= border;
 }
 
 void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_world_body *r) {

@@ -99,7 +99,7 @@ static double parted(const bmr_world *w, double reach) {
 /// A window is so many times as long as the path needs for one reach, by the first of its powers to get
 /// there.
 #define WINDOW 16.0
-/// Windows that one question looks at.
+/// Windows that one question searches.
 #define WINDOWS 8
 /// The shortest window, in parts of the epoch: below, its ends could not be told apart.
 #define LEAST_WINDOW 0x1p-40
@@ -303,7 +303,7 @@ static bool is_clear(const curve *k, double distance, bool inside, double reach,
     return inside ? CLEAR_PART * (distance + way) < k->parted : distance - way > CLEAR_PART * reach;
 }
 
-/// So many windows from `from` on, as a power of 2 or 0, have no change: to look into them would find the
+/// So many windows from `from` on, as a power of 2 or 0, have no change: to search them would find the
 /// same.
 static double clear_windows(const curve *k, double distance, bool inside, double reach, double from) {
     double clear = 0.0;
@@ -318,9 +318,9 @@ static double clear_windows(const curve *k, double distance, bool inside, double
 
 /// The next meeting (or parting) of the two whose reach this is.
 static bmr_error curve_next(const bmr_world *w, const bmr_body_pair *c, double reach, bool meets,
-                            double after, double *time, bool *look) {
+                            double after, double *time, bool *unfinished) {
     const curve k = make_curve(w, c, reach);
-    *look = false;
+    *unfinished = false;
     *time = INFINITY;
     if (!(k.window < INFINITY)) { // both rest, or go together
         const double distance = bmr_disks_distance(w, c, k.epoch);
@@ -355,19 +355,19 @@ static bmr_error curve_next(const bmr_world *w, const bmr_body_pair *c, double r
         if (inside != meets)
             window += clear_windows(&k, bmr_disks_distance(w, c, to), inside, reach, to);
     }
-    *look = true;
+    *unfinished = true;
     *time = k.epoch + window * k.window;
     return BMR_OK;
 }
 
 /// When the path leaves the rectangle, of a cell whose shorter side is `size`.
 static bmr_error curve_leaves(const bmr_world *w, const bmr_motion_piece *piece, bmr_vec2 low, bmr_vec2 high,
-                              double size, double after, double *time, bool *look) {
+                              double size, double after, double *time, bool *unfinished) {
     const bmr_motion_piece path = path_of(piece, bmr_vec2_make(0.0, 0.0));
     const bmr_algebraic_piece here = bmr_piece_expand(&path, after);
     const double span = WINDOW * time_for(&here, size);
     *time = INFINITY;
-    *look = false;
+    *unfinished = false;
     if (!(span < INFINITY))
         return BMR_OK;
     const bmr_vec2 origin = bmr_vec2_make(0.0, 0.0);
@@ -392,7 +392,7 @@ static bmr_error curve_leaves(const bmr_world *w, const bmr_motion_piece *piece,
     }
     if (*time == INFINITY) {
         *time = to;
-        *look = true;
+        *unfinished = true;
     }
     return BMR_OK;
 }
@@ -444,16 +444,16 @@ static interval straight_within(const bmr_world *w, const bmr_body_pair *c, doub
 // ---- both ----
 
 bmr_error bmr_disks_next(const bmr_world *w, const bmr_body_pair *c, bool meets, double after, double *time,
-                         bool *look) {
+                         bool *unfinished) {
     const double reach = bmr_disks_reach(w, c), epoch = epoch_of(c);
     if (!isfinite(reach))
         return BMR_ERROR_NOT_FINITE;
     if (!is_straight(&c->side[0]->now.piece) || !is_straight(&c->side[1]->now.piece))
-        return curve_next(w, c, reach, meets, after, time, look);
+        return curve_next(w, c, reach, meets, after, time, unfinished);
     const interval inside = straight_within(w, c, epoch, meets ? reach : parted(w, reach));
     if (isnan(inside.from))
         return BMR_ERROR_NOT_FINITE;
-    *look = false;
+    *unfinished = false;
     const bool ever = inside.from <= inside.to;
     // What is over by no more than the clock's rounding is not over.
     const double now = after - BMR_CLOCK_ROUNDINGS * DBL_EPSILON * (fabs(after) + fabs(epoch));
@@ -474,11 +474,11 @@ static double leaves(double x, double velocity, double origin, double low, doubl
 }
 
 bmr_error bmr_body_leaves_cell(const bmr_world *w, const bmr_world_body *r, double after, double *time,
-                               bool *look) {
+                               bool *unfinished) {
     bmr_vec2 low, high;
     bmr_cell_box(w, r->cell->level, r->column, r->row, BMR_CELL_HYSTERESIS, &low, &high);
     const bmr_motion_piece *piece = &r->now.piece;
-    *look = false;
+    *unfinished = false;
     // Motions that go on from each other up to rounding may add that up.
     const bmr_vec2 now = bmr_path_position(piece, after);
     if (now.x < low.x || now.x > high.x || now.y < low.y || now.y > high.y) {
@@ -493,5 +493,5 @@ bmr_error bmr_body_leaves_cell(const bmr_world *w, const bmr_world_body *r, doub
         return isnan(*time) ? BMR_ERROR_NOT_FINITE : BMR_OK;
     }
     const bmr_vec2 size = bmr_cell_size(w, r->cell->level);
-    return curve_leaves(w, piece, low, high, fmin(size.x, size.y), after, time, look);
+    return curve_leaves(w, piece, low, high, fmin(size.x, size.y), after, time, unfinished);
 }

@@ -183,14 +183,14 @@ typedef struct side {
     bmr_vec2 ends[2];
 } side;
 
-static side extreme_side(const bmr_polygon *polygon, bmr_vec2 direction, double room) {
+static side extreme_side(const bmr_polygon *polygon, bmr_vec2 direction, double tolerance) {
     const uint32_t n = polygon->count, i = bmr_polygon_support(polygon, direction);
     const bmr_vec2 v = polygon->vertices[i];
     const uint32_t neighbours[2] = {(i + 1) % n, (i + n - 1) % n};
     side found = {{v, v}};
     for (int k = 0; k < 2; k++) {
         const bmr_vec2 u = polygon->vertices[neighbours[k]];
-        if (neighbours[k] != i && bmr_dot(direction, bmr_sub(v, u)) <= room)
+        if (neighbours[k] != i && bmr_dot(direction, bmr_sub(v, u)) <= tolerance)
             found.ends[1] = u;
     }
     return found;
@@ -199,10 +199,10 @@ static side extreme_side(const bmr_polygon *polygon, bmr_vec2 direction, double 
 /// Where two sides that face each other overlap, along the tangent: A's frame, beside A. False: in no more
 /// than a point.
 static bool facing(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a, bmr_vec2 normal,
-                   double room, bmr_vec2 points[2]) {
+                   double tolerance, bmr_vec2 points[2]) {
     const bmr_vec2 tangent = bmr_left(normal);
-    const side own = extreme_side(a, normal, room);
-    const side other = extreme_side(b, bmr_neg(bmr_unrotate(b_in_a, normal)), room);
+    const side own = extreme_side(a, normal, tolerance);
+    const side other = extreme_side(b, bmr_neg(bmr_unrotate(b_in_a, normal)), tolerance);
     double low[2], high[2];
     for (int k = 0; k < 2; k++) {
         const bmr_vec2 p = k == 0 ? own.ends[0] : bmr_transform(b_in_a, other.ends[0]);
@@ -259,8 +259,8 @@ void bmr_touch_describe(const bmr_world *w, const bmr_body_pair *c, bool placed,
         normal = overlap.normal;
         points[0] = overlap.point_a;
     }
-    const double room = FACING_PART * w->def.kds.margin;
-    if (contact->distance > 0.0 && facing(motion.shape_a, motion.shape_b, &b_in_a, normal, room, points))
+    const double tolerance = FACING_PART * w->def.kds.margin;
+    if (contact->distance > 0.0 && facing(motion.shape_a, motion.shape_b, &b_in_a, normal, tolerance, points))
         contact->count = 2;
     contact->normal = bmr_rotate(&now[0].pose, normal);
     // Arms from what lies between the two: bodies far from the origin keep their digits. (A wall's arm is

@@ -53,8 +53,8 @@ static bmr_error check_box(const bmr_world_def *def) {
     return fits && longer / shorter < MOST_AROUND ? BMR_OK : BMR_ERROR_OUT_OF_RANGE;
 }
 
-/// The shortest steps of a look at a pair that passes are this part of contact_step (pair_motion.c); steps
-/// below the tolerance, with which times are found, say nothing, and are without end.
+/// The shortest steps from sample to sample of a pair that passes are this part of contact_step
+/// (pair_motion.c); steps below the tolerance, with which times are found, say nothing, and are without end.
 #define LEAST_STEP_PART 1e-3
 
 static bmr_error check_def(const bmr_world_def *def) {
@@ -145,7 +145,7 @@ static bmr_error take_event(bmr_world *w) {
     bmr_error error =
         item->is_pair ? bmr_body_pair_event(w, (void *)item, &touches) : bmr_body_event(w, (void *)item);
     if (touches != BMR_TOUCHES_NOT)
-        error = bmr_contact_tell(w, (void *)item, touches == BMR_TOUCHES_PLACED);
+        error = bmr_contact_report(w, (void *)item, touches == BMR_TOUCHES_PLACED);
     return error != BMR_OK && w->trouble.kind == BMR_TROUBLE_NONE
                ? bmr_world_stop(w, error, BMR_TROUBLE_OTHER, a, b)
                : error;

@@ -17,11 +17,11 @@
 #define MOST_HALVINGS 20u
 /// Repairs this near to one another are a burst.
 #define BURST_TOLERANCES 4.0
-/// A condition that failed, and is not yet seen to, is looked for over so many margins' way: as long as two
-/// that fly through each other are in contact.
+/// A condition that failed, and is not yet repaired, is searched for over so many margins' way: as long as
+/// two that fly through each other are in contact.
 #define NUDGE_MARGINS 2.0
 /// A search takes what is too close to call where it begins for a failure there. By so many margins' way, and
-/// no more, may a failure be told too early.
+/// no more, may a failure be reported too early.
 #define EARLY_MARGINS 0.125
 /// A structure may want a pair a little farther apart than the distance at which a contact ends. It is asked
 /// again after a tolerance, two, four, and so on, so many times.
@@ -29,12 +29,12 @@
 
 // ---- when something happens next: to its disks, to its structure's conditions, and how exactly ----
 
-/// The first failure is looked for in this part of the time in which the two can move by their reach, then in
-/// twice that.
+/// The first failure is searched for in this part of the time in which the two can move by their reach, then
+/// in twice that.
 #define FIRST_PART 0x1p-3
 /// Windows that one search goes through before the pair is put back into the queue.
 #define WINDOWS 6
-/// A pair that passes is looked at step by step: so many steps ahead, for most pairs are soon sent elsewhere.
+/// A pair that passes is sampled step by step: so many steps ahead, for most pairs are soon sent elsewhere.
 #define PASSING_STEPS 8.0
 /// Times are found so exactly that meanwhile no point moves by more than this part of the margin, but no more
 /// exactly than to so many roundings of the clock. Two that fly through each other are within the margin for
@@ -42,12 +42,12 @@
 /// more, the pair is stopped.
 #define TOLERANCE_PART 0x1p-4
 #define CLOCK_ROUNDINGS 4.0
-/// A hit goes through a row of bodies that lie on each other in no time. So often may a pair be told that it
-/// touches at one time; then its distance must shrink before it is told again.
+/// A hit goes through a row of bodies that lie on each other in no time. A pair may be reported so often at
+/// one time; then its distance must shrink before it is reported again.
 #define MOST_TOUCHES 256
-/// The next failure is looked for in so many times the time between the last two, then in twice that.
+/// The next failure is searched for in so many times the time between the last two, then in twice that.
 #define AHEAD 4.0
-/// What is too fast over one window is looked at over so much of it.
+/// What is too fast over one window is searched over so much of it.
 #define SHORTER 0x1p-4
 
 /// The time in which the two can move by their reach, at the speeds they have.
@@ -74,11 +74,11 @@ static bmr_error disks_error(bmr_world *w, const bmr_body_pair *c, bmr_error err
 
 static bmr_error search_disks(bmr_world *w, bmr_body_pair *c) {
     double time;
-    bool look;
+    bool unfinished;
     w->counts.disk_times++;
-    const bmr_error error = bmr_disks_next(w, c, true, w->time, &time, &look);
+    const bmr_error error = bmr_disks_next(w, c, true, w->time, &time, &unfinished);
     if (error == BMR_OK)
-        schedule(w, c, look ? BMR_DUE_LOOK : BMR_DUE_MEET, time);
+        schedule(w, c, unfinished ? BMR_DUE_SEARCH : BMR_DUE_MEET, time);
     return disks_error(w, c, error);
 }
 
@@ -88,14 +88,14 @@ static bmr_error find_part(bmr_world *w, bmr_body_pair *c) {
     if (!isnan(n->part) && (n->part_known || n->part > n->from))
         return BMR_OK;
     w->counts.disk_times++;
-    bool look;
+    bool unfinished;
     const double after = fmax(w->time, n->from);
-    bmr_error error = bmr_disks_next(w, c, false, after, &n->part, &look);
+    bmr_error error = bmr_disks_next(w, c, false, after, &n->part, &unfinished);
     // Who parts as soon as they meet would meet again, and so on: a loop, or a contact that nobody saw.
-    if (error == BMR_OK && !look && n->part <= after &&
+    if (error == BMR_OK && !unfinished && n->part <= after &&
         bmr_disks_distance(w, c, after) <= bmr_disks_reach(w, c))
         error = BMR_ERROR_OUT_OF_RANGE;
-    n->part_known = error == BMR_OK && !look;
+    n->part_known = error == BMR_OK && !unfinished;
     if (error != BMR_OK)
         n->part = NAN;
     return disks_error(w, c, error);
@@ -188,13 +188,13 @@ static bmr_error search_near(bmr_world *w, bmr_body_pair *c) {
         n->from = to;
     }
     if (n->from < horizon)
-        schedule(w, c, BMR_DUE_LOOK, n->from);
+        schedule(w, c, BMR_DUE_SEARCH, n->from);
     else if (horizon == n->part)
-        schedule(w, c, n->part_known ? BMR_DUE_PART : BMR_DUE_LOOK, n->part);
+        schedule(w, c, n->part_known ? BMR_DUE_PART : BMR_DUE_SEARCH, n->part);
     else if (horizon == n->growth)
         schedule(w, c, BMR_DUE_GROWTH, n->growth);
     else // the next piece is an event of its body, and comes first
-        schedule(w, c, BMR_DUE_LOOK, pieces);
+        schedule(w, c, BMR_DUE_SEARCH, pieces);
     return BMR_OK;
 }
 
@@ -230,7 +230,7 @@ void bmr_body_pair_search_later(bmr_world *w, bmr_body_pair *c, bool replan) {
         }
     }
     if (search(w, c) != BMR_OK)
-        schedule(w, c, BMR_DUE_LOOK, w->time);
+        schedule(w, c, BMR_DUE_SEARCH, w->time);
 }
 
 // ---- making ----
@@ -430,7 +430,7 @@ static bmr_error fail(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches)
     const bmr_instant now = bmr_pair_instant(&motion, later);
     if ((later - w->time) * n->speed > EARLY_MARGINS * w->def.kds.margin &&
         !(bmr_condition_value(&n->condition, &now.pose) > 0.0)) {
-        w->counts.looks++;
+        w->counts.continued++;
         schedule(w, c, BMR_DUE_FAIL, failure_between(w, n, &motion, later));
         return BMR_OK;
     }
@@ -465,7 +465,7 @@ static unsigned level_for(const bmr_world *w, double separation, unsigned level)
 /// it is asked again, each time after twice as long.
 static bmr_error grow(bmr_world *w, bmr_body_pair *c) {
     bmr_near *const n = c->near;
-    w->counts.looks++;
+    w->counts.continued++;
     n->growth_step = fmax(2.0 * n->growth_step, 2.0 * bmr_world_tolerance(w, w->time));
     n->growth = fmax(w->time + n->growth_step, nextafter(w->time, INFINITY));
     const unsigned before = n->level, lower = level_for(w, separation(w, c, w->time), before);
@@ -531,10 +531,10 @@ bmr_error bmr_body_pair_event(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *
         return grow(w, c);
     case BMR_DUE_LEAVE:
         return leave(w, c);
-    case BMR_DUE_LOOK:
+    case BMR_DUE_SEARCH:
         break;
     }
-    w->counts.looks++;
+    w->counts.continued++;
     return search(w, c);
 }
 
@@ -565,14 +565,14 @@ bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, bool placed, doub
         const bool apart = start(w, c, w->time, &report);
         if (!apart)
             continue;
-        const double room = 2.0 * margin_of(w, n->level - 1);
+        const double wanted = 2.0 * margin_of(w, n->level - 1);
         bmr_pair_view view;
         const bmr_pair_motion motion = bmr_body_pair_motion(w, c, &view);
         const double most = natural_time(w, c, &motion, w->time);
         n->part = NAN;
         n->window = 0.0;
         n->period = 0.0;
-        n->growth_step = receding * most > room ? room / receding : most;
+        n->growth_step = receding * most > wanted ? wanted / receding : most;
         n->growth = w->time + fmax(n->growth_step, 2.0 * bmr_world_tolerance(w, w->time));
         set_watch(w, c, BMR_WATCH_STRUCTURE);
         bmr_body_pair_search_later(w, c, false);

@@ -62,7 +62,7 @@ struct bmr_world_body {
     bmr_cell *cell;                 ///< NULL: a wall, or a world without a grid
     bmr_world_body *after, *before; ///< in its cell's list
     int64_t column, row;            ///< of the cell; in a periodic box: counted on, as positions are
-    bool look;                      ///< nothing is known after the event's time
+    bool unfinished;                ///< at the event's time the search for its event goes on
 
     bmr_body_pair *first; ///< of its pairs
     size_t pairs;
@@ -71,7 +71,7 @@ struct bmr_world_body {
 
 /// What the queue has a pair for.
 typedef enum bmr_pair_due {
-    BMR_DUE_LOOK,   ///< to be searched further
+    BMR_DUE_SEARCH, ///< to be searched further
     BMR_DUE_MEET,   ///< the disks meet
     BMR_DUE_FAIL,   ///< a condition of the structure fails
     BMR_DUE_PART,   ///< the disks part
@@ -87,7 +87,7 @@ typedef struct bmr_near {
     double repaired; ///< when it was last started or repaired
     double period;   ///< about the time between its last events
     double window;   ///< how far the next search goes
-    double speed;    ///< bound of the two's against each other, where the last search looked
+    double speed;    ///< bound of the two's against each other, over what was searched last
     double part;     ///< when the disks part; NAN: not known
     bool part_known; ///< false: not before `part`
     size_t failing;
@@ -100,7 +100,7 @@ typedef struct bmr_near {
     unsigned level, again;      ///< `again`: as in bmr_contact
     double touch;               ///< ZENO_ELASTIC: the time of the last TOUCH,
     unsigned touches;           ///< and how many were at that time
-    double growth, growth_step; ///< when to look whether it is apart again; INFINITY: never
+    double growth, growth_step; ///< when to ask whether it is apart again; INFINITY: never
     unsigned retries;           ///< LEAVE: of the structure's start
 } bmr_near;
 
@@ -124,7 +124,7 @@ struct bmr_world {
     double time;
     bool inside; ///< a callback is running
     bmr_world_trouble trouble;
-    bmr_body_pair *busy; ///< whose contact is being told
+    bmr_body_pair *busy; ///< whose contact is being reported
     bmr_event_queue queue;
     bmr_world_counts counts;
 
@@ -198,7 +198,7 @@ bmr_error bmr_grid_cell(bmr_world *w, int level, int64_t column, int64_t row, bm
 /// Gives a cell back if nothing lives in it or below it, and so on upwards.
 void bmr_grid_prune(bmr_world *w, bmr_cell *cell);
 /// Is a place of the body in its cell, or outside of it by no more than this part of the cell?
-bool bmr_body_in_cell(const bmr_world *w, const bmr_world_body *r, bmr_vec2 position, double room);
+bool bmr_body_in_cell(const bmr_world *w, const bmr_world_body *r, bmr_vec2 position, double border);
 void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_world_body *r);
 void bmr_cell_leave(bmr_world *w, bmr_world_body *r);
 /// Gives the top levels back that no body has needed for long.
@@ -206,9 +206,9 @@ void bmr_grid_lower(bmr_world *w);
 bmr_vec2 bmr_cell_size(const bmr_world *w, int level);
 /// A place in cells of a level, from the grid's origin.
 bmr_vec2 bmr_grid_cells(const bmr_world *w, int level, bmr_vec2 position);
-/// The corners of a cell that is larger by a part `room` of it on each side: counted on in a periodic box,
+/// The corners of a cell that is larger by a part `border` of it on each side: counted on in a periodic box,
 /// where it is that of a body.
-void bmr_cell_box(const bmr_world *w, int level, int64_t column, int64_t row, double room, bmr_vec2 *low,
+void bmr_cell_box(const bmr_world *w, int level, int64_t column, int64_t row, double border, bmr_vec2 *low,
                   bmr_vec2 *high);
 /// Fills world.candidates with the bodies whose cells are neighbours of this one, `r` itself left out.
 bmr_error bmr_grid_candidates(bmr_world *w, const bmr_world_body *r, int level, int64_t column, int64_t row);
@@ -261,18 +261,18 @@ void bmr_touch_move(bmr_touch *touch, const bmr_instant now[2]);
 double bmr_disks_reach(const bmr_world *w, const bmr_body_pair *c);
 /// The distance of the disks' centres, or of the disk's centre from the wall's line.
 double bmr_disks_distance(const bmr_world *w, const bmr_body_pair *c, double time);
-/// The first time after `after` at which the disks meet, or part; *look: not before that time, at which to
-/// ask again. A function of the two motions alone. Errors: NOT_FINITE.
+/// The first time after `after` at which the disks meet, or part; *unfinished: not before that time, at which
+/// to ask again. A function of the two motions alone. Errors: NOT_FINITE.
 bmr_error bmr_disks_next(const bmr_world *w, const bmr_body_pair *c, bool meets, double after, double *time,
-                         bool *look);
+                         bool *unfinished);
 /// When the body leaves its cell with the hysteresis, after `after`. Errors: those of bmr_failure_time.
 bmr_error bmr_body_leaves_cell(const bmr_world *w, const bmr_world_body *r, double after, double *time,
-                               bool *look);
+                               bool *unfinished);
 bmr_vec2 bmr_path_position(const bmr_motion_piece *piece, double time);
 
 // pair.c: the life of a pair.
 
-/// Does a pair's event end in a contact, which bmr_contact_tell is to tell?
+/// Does a pair's event end in a contact, which bmr_contact_report is to report?
 typedef enum bmr_pair_touches {
     BMR_TOUCHES_NOT,
     BMR_TOUCHES,
@@ -292,7 +292,7 @@ static inline int bmr_body_pair_side(const bmr_body_pair *c, const bmr_world_bod
 void bmr_body_pair_search_later(bmr_world *w, bmr_body_pair *c, bool replan);
 /// After an answer: a structure with half the margin, or a quarter, and so on. STALLED.
 bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, bool placed, double receding);
-/// While its contact is told: nothing is due.
+/// While its contact is reported: nothing is due.
 void bmr_body_pair_hold(bmr_world *w, bmr_body_pair *c);
 /// After PASS.
 void bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c);
@@ -319,6 +319,6 @@ void bmr_body_destroy(bmr_world *w, bmr_world_body *r);
 // answer.c: what becomes of a contact.
 
 /// Tells the contact, and does what is answered. After an error other than NO_MEMORY the pair passes.
-bmr_error bmr_contact_tell(bmr_world *w, bmr_body_pair *c, bool placed);
+bmr_error bmr_contact_report(bmr_world *w, bmr_body_pair *c, bool placed);
 
 #endif

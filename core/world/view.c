@@ -117,13 +117,13 @@ bmr_world_totals bmr_world_get_totals(const bmr_world *w) {
 // ---- everything that a world claims, proved from scratch ----
 
 /// What places may be off their cells, and disks be nearer, by rounding: parts of a cell, and of the reach.
-#define ROOM 1e-6
+#define ROUNDING 1e-6
 
 static bool in_cell(const bmr_world *w, const bmr_world_body *r) {
     if (!r->cell)
         return w->def.all_pairs && w->def.boundary != BMR_PERIODIC;
     const bmr_vec2 position = bmr_path_position(&r->now.piece, w->time);
-    return bmr_body_in_cell(w, r, position, BMR_CELL_HYSTERESIS + ROOM);
+    return bmr_body_in_cell(w, r, position, BMR_CELL_HYSTERESIS + ROUNDING);
 }
 
 static bool near_by(int64_t a, int64_t b, int64_t size, int64_t *image) {
@@ -147,8 +147,8 @@ static bool are_neighbours(const bmr_world *w, const bmr_world_body *a, const bm
            near_by(bmr_place_above(a->row, level - la), bmr_place_above(b->row, level - lb), y, &image[1]);
 }
 
-static const bmr_body_pair *couple_of(const bmr_world_body *a, const bmr_world_body *b,
-                                      const int64_t image[2]) {
+static const bmr_body_pair *pair_of(const bmr_world_body *a, const bmr_world_body *b,
+                                    const int64_t image[2]) {
     for (const bmr_body_pair *c = a->first; c; c = c->after[bmr_body_pair_side(c, a)]) {
         const int sign = c->side[0] == a ? 1 : -1;
         if (c->side[1 - bmr_body_pair_side(c, a)] == b && sign * c->image[0] == image[0] &&
@@ -163,7 +163,7 @@ static const bmr_body_pair *couple_of(const bmr_world_body *a, const bmr_world_b
 static bmr_error audit_two(const bmr_world *w, const bmr_world_body *a, const bmr_world_body *b) {
     int64_t image[2];
     const bool neighbours = are_neighbours(w, a, b, image);
-    const bmr_body_pair *c = couple_of(a, b, image);
+    const bmr_body_pair *c = pair_of(a, b, image);
     if (neighbours && (!c || !c->neighbours))
         return BMR_ERROR_INVALID_STRUCTURE;
     const bmr_vec2 size = bmr_sub(w->def.high, w->def.low);
@@ -178,8 +178,7 @@ static bmr_error audit_two(const bmr_world *w, const bmr_world_body *a, const bm
             const int64_t here[2] = {i, j};
             const bmr_vec2 apart = bmr_vec2_make(way.x + (periodic ? (double)i * size.x : 0.0),
                                                  way.y + (periodic ? (double)j * size.y : 0.0));
-            if (hypot(apart.x, apart.y) <= a->radius + b->radius + w->def.kds.margin &&
-                !couple_of(a, b, here))
+            if (hypot(apart.x, apart.y) <= a->radius + b->radius + w->def.kds.margin && !pair_of(a, b, here))
                 return BMR_ERROR_FALSE_CERTIFICATE;
         }
     return BMR_OK;
@@ -192,10 +191,10 @@ static bmr_error audit_pair(const bmr_world *w, const bmr_body_pair *c) {
         return BMR_ERROR_INVALID_STRUCTURE;
     const bool due =
         c->head.item.place != BMR_NOT_QUEUED && w->queue.heap[c->head.item.place].time <= w->time;
-    if (due) // it has not been told yet
+    if (due) // it was not processed yet
         return BMR_OK;
     if (c->watch == BMR_WATCH_DISKS)
-        return bmr_disks_distance(w, c, w->time) > (1.0 - ROOM) * bmr_disks_reach(w, c)
+        return bmr_disks_distance(w, c, w->time) > (1.0 - ROUNDING) * bmr_disks_reach(w, c)
                    ? BMR_OK
                    : BMR_ERROR_FALSE_CERTIFICATE;
     if (c->watch == BMR_WATCH_PASSING)

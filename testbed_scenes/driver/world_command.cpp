@@ -219,7 +219,7 @@ void Print(const WorldFigures &figures, bool colour) {
               << (counts.levels == 1 ? " grid" : " grids") << "\nmemory:     " << counts.most_bytes
               << " bytes at most (" << Fixed(static_cast<double>(counts.most_bytes) / bodies, 0)
               << " a body)\ncomputed:   " << counts.disk_times << " times of disks and cells, "
-              << counts.failure_times << " of structures' conditions, " << counts.looks
+              << counts.failure_times << " of structures' conditions, " << counts.continued
               << " searches that went on later\nclock:      " << Fixed(figures.clock, 3) << " s, "
               << Fixed(figures.MicrosecondsAnEvent(), 2) << " microseconds an event\n";
     if (figures.plans > 0)

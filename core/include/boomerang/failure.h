@@ -38,7 +38,7 @@ bmr_failure_options bmr_default_failure_options(void);
 /// a piece that begins at `until`.
 ///
 /// Cost: under two algebraic motions some microseconds for each interval on which their terms keep their size
-/// (one, unless the motion is followed far); with a spin some ten looks of 100 ns for a root and five for
+/// (one, unless the motion is followed far); with a spin some ten samples of 100 ns for a root and five for
 /// each turn. No allocation; 32 KB of stack. Errors: NULL_ARGUMENT; NOT_FINITE (an argument, or a number that
 /// follows from it); OUT_OF_RANGE (after > until, a tolerance that is not positive, no such condition, or
 /// a search over two pieces does not end within the steps below: ask for a shorter time). Then *time is
@@ -47,8 +47,8 @@ bmr_error bmr_failure_time(const bmr_condition *condition, const bmr_motion *a, 
                            double after, double until, const bmr_failure_options *options, double *time);
 /// The most steps of a search over two pieces, one of them spinning: enough for some 50,000 turns, which
 /// takes a few hundredths of a second. If the other piece is algebraic and its a and b have a common root
-/// (motion.h), the search spends its steps around that root and takes up to a second. (There each look at the
-/// bounds of the rates counts as a quarter of a step.)
+/// (motion.h), the search spends its steps around that root and takes up to a second. (There each sample of
+/// the bounds of the rates counts as a quarter of a step.)
 #define BMR_FAILURE_MAX_STEPS ((size_t)1 << 18)
 /// The most intervals of a search under two algebraic pieces, at some microseconds each.
 #define BMR_FAILURE_MAX_INTERVALS ((size_t)1 << 14)

@@ -164,7 +164,7 @@ typedef struct bmr_world_def {
     /// cells, all neighbours of each other, which give the image in which the two can meet next. For
     /// comparison; O(bodies^2).
     bool all_pairs;
-    /// The most time between two looks at a pair that passes through each other: see
+    /// The most time between two samples of a pair that passes through each other: see
     /// bmr_simulation_def.contact_step. At least 1000 failure.tolerance.
     double contact_step;
     bmr_world_contact contact;   ///< NULL: `response`
@@ -316,7 +316,7 @@ typedef struct bmr_world_counts {
     uint64_t impulses;      ///< of all IMPULSE responses, walls included
     uint64_t softened;      ///< of those, impulses that ZENO_ELASTIC changed
     double softened_energy; ///< energy that these kept and the restitution of the answers would have taken
-    uint64_t looks;         ///< searches that ended without an event and went on later
+    uint64_t continued;     ///< searches that ended without an event and went on later
     uint64_t disk_times;    ///< times computed for bodies' cells, and for disks that meet or part
     uint64_t failure_times; ///< of structures' conditions
     uint64_t replans;       ///< motions set, also at answers and changes of plan
