@@ -48,7 +48,7 @@ static bmr_error simulate(const play_duel *duel, const bmr_kds_info *info, doubl
     bmr_simulation_def def = bmr_default_simulation_def();
     def.structure = info;
     const bmr_shape shapes[2] = {play_body_shape(duel->def.bodies[0]), play_body_shape(duel->def.bodies[1])};
-    return bmr_simulation_create(&def, shapes, duel->motions, 2, time, observer, context, NULL, simulation);
+    return bmr_simulation_create(&def, shapes, duel->motions, time, observer, context, NULL, simulation);
 }
 
 /// Begins a follower's simulation at the present time; what the one before counted is kept.
@@ -259,7 +259,7 @@ bmr_error play_duel_hold(play_duel *duel, int body, const bmr_pose *pose) {
     }
     for (size_t i = 0; i < PLAY_FOLLOWERS && error == BMR_OK; ++i) {
         // A search that fails leaves the simulation where it is; then it begins anew.
-        if (bmr_simulation_replan(duel->followers[i].simulation, (size_t)body) != BMR_OK)
+        if (bmr_simulation_replan(duel->followers[i].simulation) != BMR_OK)
             error = begin(duel, i);
         if (error == BMR_OK)
             error = run(duel, i, end);
@@ -284,7 +284,7 @@ bmr_pose play_duel_b_in_a(const play_duel *duel) {
 
 const bmr_kds *play_duel_kds(const play_duel *duel) {
     bmr_simulation *const simulation = duel->followers[0].simulation;
-    return simulation ? bmr_simulation_pair(simulation, 0, NULL, NULL) : NULL;
+    return simulation ? bmr_simulation_kds(simulation) : NULL;
 }
 
 uint64_t play_duel_count(const play_duel *duel, size_t follower, bmr_kds_event_kind kind) {

@@ -113,7 +113,7 @@ static bmr_error run_through(bmr_simulation *simulation, const bmr_course *cours
     bmr_error error = bmr_simulation_run(simulation, 0.5 * (course->from + course->to));
     const uint64_t before = bmr_simulation_get_counts(simulation).replanned;
     if (error == BMR_OK)
-        error = bmr_simulation_replan(simulation, 0);
+        error = bmr_simulation_replan(simulation);
     run->qualities.replanned = (double)(bmr_simulation_get_counts(simulation).replanned - before);
     return error == BMR_OK ? bmr_simulation_run(simulation, course->to) : error;
 }
@@ -131,14 +131,14 @@ bmr_error bmr_run_course(const bmr_run_def *def, const bmr_course *course, doubl
     bmr_simulation_def simulation_def = def->simulation;
     simulation_def.structure = def->structure;
     bmr_simulation *simulation = NULL;
-    bmr_error error = bmr_simulation_create(&simulation_def, def->shapes, course->motions, 2, course->from,
+    bmr_error error = bmr_simulation_create(&simulation_def, def->shapes, course->motions, course->from,
                                             observe, &w, allocator, &simulation);
     if (error != BMR_OK)
         return error;
     error = run_through(simulation, course, &result);
     if (error == BMR_OK) {
         result.counts = bmr_simulation_get_counts(simulation);
-        result.qualities.bytes = (double)result.counts.pair_bytes;
+        result.qualities.bytes = (double)result.counts.bytes;
         result.qualities.touched /= fmax((double)result.events, 1.0);
         result.qualities.efficiency = (double)result.events / fmax((double)result.counts.external, 1.0);
         *run = result;

@@ -43,7 +43,7 @@ int main(void) {
     bmr_simulation_def def = bmr_default_simulation_def();
     require(bmr_kds_find("lazy-dudley", &def.structure));
     bmr_simulation *simulation;
-    require(bmr_simulation_create(&def, shapes, motions, 2, 0.0, print_event, NULL, NULL, &simulation));
+    require(bmr_simulation_create(&def, shapes, motions, 0.0, print_event, NULL, NULL, &simulation));
     require(bmr_simulation_run(simulation, 4.0));
 
     bmr_simulation_destroy(simulation);

@@ -119,7 +119,7 @@ int main(void) {
         def.structure = structures[k];
         bmr_simulation *simulation = NULL;
         bmr_error audit = BMR_OK;
-        error = bmr_simulation_create(&def, shapes, motions, 2, 0.0, at_event, &audit, NULL, &simulation);
+        error = bmr_simulation_create(&def, shapes, motions, 0.0, at_event, &audit, NULL, &simulation);
         if (error != BMR_OK)
             break;
         error = bmr_simulation_run(simulation, 4.0);

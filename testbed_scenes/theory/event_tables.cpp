@@ -224,7 +224,7 @@ std::vector<const bmr_kds_info *> StructuresOf(const std::vector<Run> &runs) {
 void WriteCsv(std::ostream &out, const std::vector<Run> &runs) {
     constexpr int kDigits = 9;
     out << "motion,structure,n,ratio,seed,events,lines,touched,failure_times,external,conditions,"
-           "pair_bytes,hysteresis,optimum,wanted_ratio";
+           "bytes,hysteresis,optimum,wanted_ratio";
     for (int kind = 0; kind < BMR_KDS_NONE; ++kind)
         out << ',' << bmr_kds_event_name(static_cast<bmr_kds_event_kind>(kind));
     out << '\n' << std::setprecision(kDigits);
@@ -233,7 +233,7 @@ void WriteCsv(std::ostream &out, const std::vector<Run> &runs) {
         out << run.motion << ',' << run.structure->name << ',' << run.n << ',' << run.ratio << ',' << run.seed
             << ',' << run.outcome.events << ',' << run.outcome.lines << ',' << counts.touched << ','
             << counts.failure_times << ',' << counts.external << ',' << counts.conditions << ','
-            << counts.pair_bytes << ',';
+            << counts.bytes << ',';
         if (std::isfinite(run.outcome.hysteresis.both))
             out << run.outcome.hysteresis.both;
         out << ',';

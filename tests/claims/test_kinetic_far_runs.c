@@ -70,15 +70,15 @@ static void check_contact(const contact_case *c) {
         def.structure = bmr_kds_at(k);
     def.contact_step = c->contact_step;
     bmr_simulation *simulation = NULL;
-    assert_int_equal(bmr_simulation_create(&def, shapes, motions, 2, c->start, NULL, NULL, NULL, &simulation),
+    assert_int_equal(bmr_simulation_create(&def, shapes, motions, c->start, NULL, NULL, NULL, &simulation),
                      BMR_OK);
     assert_int_equal(bmr_simulation_run(simulation, c->until), c->error);
     if (c->error == BMR_OK && c->velocity == 0.0) {
         // The control: a change of plan ends the rest, and is seen.
         const bmr_motion_piece away = screw(c->until, 4.0, 0.0, 0.0);
         assert_int_equal(bmr_motion_change(motions[1], c->until, &away), BMR_OK);
-        assert_int_equal(bmr_simulation_replan(simulation, 1), BMR_OK);
-        assert_false(bmr_kds_in_contact(bmr_simulation_pair(simulation, 0, NULL, NULL)));
+        assert_int_equal(bmr_simulation_replan(simulation), BMR_OK);
+        assert_false(bmr_kds_in_contact(bmr_simulation_kds(simulation)));
     }
     bmr_simulation_destroy(simulation);
     for (int side = 0; side < 2; side++) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Many moving polygons: events in time order, valid at every event and between them, contacts where an
-// independent distance says so, changes of plan that touch one body's pairs alone. Two of any shape, with
-// every structure: tests/random/fuzz_structures.cpp.
+// Two moving polygons: events in time order, valid at every event and between them, contacts where an
+// independent distance says so, changes of plan that cost each condition once. With every structure:
+// tests/random/fuzz_structures.cpp.
 #include "boomerang/simulation.h"
 #include "checks.h"
 #include "failing_allocator.h"
@@ -10,15 +10,13 @@
 #include "motions.h"
 
 #define PI 3.14159265358979323846
-#define MOST_BODIES 20
 
 // ---- scenes ----
 
 typedef struct scene {
-    size_t count;
-    test_kds_body bodies[MOST_BODIES];
-    bmr_shape shapes[MOST_BODIES];
-    bmr_motion *motions[MOST_BODIES];
+    test_kds_body bodies[2];
+    bmr_shape shapes[2];
+    bmr_motion *motions[2];
 } scene;
 
 static double uniform(test_random *random, double low, double high) {
@@ -52,11 +50,10 @@ static bmr_pose random_place(test_random *random, double table) {
     return pose_of(uniform(random, -table, table), uniform(random, -table, table), uniform(random, -PI, PI));
 }
 
-static scene make_scene(test_random *random, size_t count, size_t vertices) {
+static scene make_scene(test_random *random, size_t vertices) {
     scene s;
-    s.count = count;
-    const double table = 1.5 * sqrt((double)count) + 1.0;
-    for (size_t i = 0; i < count; i++) {
+    const double table = 3.0;
+    for (size_t i = 0; i < 2; i++) {
         s.bodies[i] = test_kds_body_make(test_polygon(
             i % 2 ? TEST_ELLIPSE : TEST_REGULAR, 3 + test_random_below(random, (uint32_t)vertices), random));
         s.shapes[i] = s.bodies[i].shape;
@@ -67,17 +64,18 @@ static scene make_scene(test_random *random, size_t count, size_t vertices) {
 }
 
 static void drop_scene(scene *s) {
-    for (size_t i = 0; i < s->count; i++) {
+    for (size_t i = 0; i < 2; i++) {
         bmr_motion_destroy(s->motions[i]);
         test_kds_body_destroy(&s->bodies[i]);
     }
 }
+#define own_scene OWNED(drop_scene)
 
-static double distance_at(const scene *s, size_t a, size_t b, double time) {
-    const bmr_pose p = bmr_motion_pose(s->motions[a], time, NULL, NULL);
-    const bmr_pose q = bmr_motion_pose(s->motions[b], time, NULL, NULL);
+static double distance_at(const scene *s, double time) {
+    const bmr_pose p = bmr_motion_pose(s->motions[0], time, NULL, NULL);
+    const bmr_pose q = bmr_motion_pose(s->motions[1], time, NULL, NULL);
     const bmr_pose relative = bmr_pose_relative(&p, &q);
-    return test_distance(s->bodies[a].polygon, s->bodies[b].polygon, &relative);
+    return test_distance(s->bodies[0].polygon, s->bodies[1].polygon, &relative);
 }
 
 // ---- what the observer checks ----
@@ -85,7 +83,7 @@ static double distance_at(const scene *s, size_t a, size_t b, double time) {
 typedef struct watch {
     const scene *scene;
     double margin, last;
-    bool contact[MOST_BODIES][MOST_BODIES];
+    bool contact;
     size_t events, failed_audits, out_of_order;
     double worst_contact; ///< distance at contact and leaving, less the margin
 } watch;
@@ -97,14 +95,13 @@ static void observe(void *context, const bmr_simulation_event *event) {
     w->last = event->time;
     w->failed_audits += bmr_kds_audit(event->kds, &event->pose) != BMR_OK;
     const bool contact = bmr_kds_in_contact(event->kds);
-    bool *before = &w->contact[event->a][event->b];
     if (event->report.kind == BMR_KDS_CONTACT || event->report.kind == BMR_KDS_LEAVE) {
-        const double off = fabs(distance_at(w->scene, event->a, event->b, event->time) - w->margin);
+        const double off = fabs(distance_at(w->scene, event->time) - w->margin);
         if (event->time > 0.0)
             w->worst_contact = fmax(w->worst_contact, off);
     }
-    assert_true(event->report.kind != BMR_KDS_LEAVE || *before);
-    *before = contact;
+    assert_true(event->report.kind != BMR_KDS_LEAVE || w->contact);
+    w->contact = contact;
 }
 
 static bmr_simulation *begin(const scene *s, const bmr_kds_info *structure, watch *w,
@@ -117,24 +114,18 @@ static bmr_simulation *begin(const scene *s, const bmr_kds_info *structure, watc
     w->last = -INFINITY;
     bmr_simulation *simulation = NULL;
     assert_int_equal(
-        bmr_simulation_create(&def, s->shapes, s->motions, s->count, 0.0, observe, w, allocator, &simulation),
-        BMR_OK);
+        bmr_simulation_create(&def, s->shapes, s->motions, 0.0, observe, w, allocator, &simulation), BMR_OK);
     return simulation;
 }
 
-/// Between events: what the simulation says of contact is what the distance says, and every proof holds.
-static void check_between(const scene *s, const bmr_simulation *simulation, size_t *near) {
-    const double time = bmr_simulation_time(simulation);
+/// Between events: what the simulation says of contact is what the distance says, and the proof holds.
+static void check_between(const scene *s, const bmr_simulation *simulation) {
     assert_int_equal(bmr_simulation_audit(simulation), BMR_OK);
-    for (size_t i = 0; i < bmr_simulation_get_counts(simulation).pairs; i++) {
-        size_t a, b;
-        const bmr_kds *kds = bmr_simulation_pair(simulation, i, &a, &b);
-        const double distance = distance_at(s, a, b, time), margin = bmr_default_kds_def().margin;
-        *near += distance < 10.0 * margin;
-        // The two may differ only where the distance is the margin, up to 1e-8.
-        if (fabs(distance - margin) > 1e-8)
-            assert_int_equal(bmr_kds_in_contact(kds), distance < margin);
-    }
+    const double distance = distance_at(s, bmr_simulation_time(simulation)),
+                 margin = bmr_default_kds_def().margin;
+    // The two may differ only where the distance is the margin, up to 1e-8.
+    if (fabs(distance - margin) > 1e-8)
+        assert_int_equal(bmr_kds_in_contact(bmr_simulation_kds(simulation)), distance < margin);
 }
 
 /// Some that can do anything.
@@ -145,45 +136,42 @@ static const bmr_kds_info *some_structure(size_t index) {
     return info;
 }
 
-TEST(a_new_plan_costs_its_own_pairs_alone) {
+TEST(a_new_plan_costs_each_condition_once) {
     test_random random = test_random_from(99);
-    scene s = make_scene(&random, 10, 20);
-    watch w;
-    bmr_simulation *simulation = begin(&s, some_structure(0), &w, NULL);
-    size_t near = 0;
-    for (int change = 1; change <= 40; change++) {
-        const double now = 0.1 * change;
-        assert_int_equal(bmr_simulation_run(simulation, now), BMR_OK);
-        const size_t body = test_random_below(&random, (uint32_t)s.count);
-        const bmr_pose pose = bmr_motion_pose(s.motions[body], now, NULL, NULL);
-        const bmr_motion_piece piece = random_plan(&random, 4.0, now, pose);
-        assert_int_equal(bmr_motion_change(s.motions[body], now, &piece), BMR_OK);
-        size_t conditions = 0;
-        for (size_t i = 0; i < bmr_simulation_get_counts(simulation).pairs; i++) {
-            size_t a, b;
-            bmr_condition k[BMR_KDS_MAX_CONDITIONS];
-            const bmr_kds *kds = bmr_simulation_pair(simulation, i, &a, &b);
-            conditions += a == body || b == body ? bmr_kds_conditions(kds, k) : 0;
+    size_t events = 0, contacts = 0;
+    for (int pair = 0; pair < 45; pair++) {
+        own_scene scene s = make_scene(&random, 20);
+        watch w;
+        bmr_simulation *simulation = begin(&s, some_structure(0), &w, NULL);
+        for (int change = 1; change <= 40; change++) {
+            const double now = 0.1 * change;
+            assert_int_equal(bmr_simulation_run(simulation, now), BMR_OK);
+            const size_t body = test_random_below(&random, 2);
+            const bmr_pose pose = bmr_motion_pose(s.motions[body], now, NULL, NULL);
+            const bmr_motion_piece piece = random_plan(&random, 4.0, now, pose);
+            assert_int_equal(bmr_motion_change(s.motions[body], now, &piece), BMR_OK);
+            const bmr_simulation_counts before = bmr_simulation_get_counts(simulation);
+            const size_t conditions = w.contact ? 0 : before.conditions;
+            const size_t seen = w.events;
+            assert_int_equal(bmr_simulation_replan(simulation), BMR_OK);
+            const bmr_simulation_counts after = bmr_simulation_get_counts(simulation);
+            assert_int_equal(after.failure_times - before.failure_times, conditions);
+            assert_int_equal(after.replanned - before.replanned, conditions);
+            assert_int_equal(w.events, seen); // a new plan is no event
+            check_between(&s, simulation);
+            contacts += w.contact;
         }
-        const bmr_simulation_counts before = bmr_simulation_get_counts(simulation);
-        const size_t events = w.events;
-        assert_int_equal(bmr_simulation_replan(simulation, body), BMR_OK);
-        const bmr_simulation_counts after = bmr_simulation_get_counts(simulation);
-        assert_int_equal(after.failure_times - before.failure_times, conditions);
-        assert_int_equal(after.replanned - before.replanned, conditions);
-        assert_int_equal(w.events, events); // a new plan is no event
-        check_between(&s, simulation, &near);
+        assert_int_equal(w.out_of_order, 0);
+        events += w.events;
+        bmr_simulation_destroy(simulation);
     }
-    assert_int_equal(w.out_of_order, 0);
-    assert_true(w.events > 50);
-    bmr_simulation_destroy(simulation);
-    drop_scene(&s);
+    assert_true(events > 200 && contacts > 200);
 }
 
 /// One runs into the other. In every second round it jumps away before the structure can be repaired.
 TEST(a_jump_just_behind_a_failure_comes_first) {
     test_random random = test_random_from(1);
-    scene s = make_scene(&random, 2, 5);
+    own_scene scene s = make_scene(&random, 5);
     const bmr_motion_piece rests = bmr_piece_rest(pose_of(0.0, 0.0, 0.0)),
                            away = bmr_piece_rest(pose_of(-50.0, 0.0, 0.0));
     assert_int_equal(bmr_motion_change(s.motions[1], 0.0, &rests), BMR_OK);
@@ -194,38 +182,38 @@ TEST(a_jump_just_behind_a_failure_comes_first) {
             assert_int_equal(bmr_motion_change(s.motions[0], 0.0, &comes), BMR_OK);
         watch w;
         bmr_simulation *simulation = begin(&s, some_structure(0), &w, NULL);
-        for (int i = 1; i < 100 && !w.contact[0][1]; i++)
+        for (int i = 1; i < 100 && !w.contact; i++)
             assert_int_equal(bmr_simulation_run(simulation, 0.01 * i), BMR_OK);
-        assert_true(w.contact[0][1] == (round % 2 == 0));
+        assert_true(w.contact == (round % 2 == 0));
         assert_int_equal(bmr_motion_change(s.motions[0], nextafter(w.last, INFINITY), &away), BMR_OK);
         bmr_simulation_destroy(simulation);
     }
-    drop_scene(&s);
 }
 
-TEST(twenty_bodies_run_long_and_take_no_memory) {
+TEST(pairs_run_long_and_take_no_memory) {
     test_random random = test_random_from(2);
-    scene s = make_scene(&random, MOST_BODIES, 60);
-    test_heap heap;
-    test_heap_init(&heap, SIZE_MAX);
-    watch w;
-    bmr_simulation *simulation = begin(&s, some_structure(0), &w, &heap.allocator);
-    const size_t asked = heap.asked, bytes = heap.bytes;
-    assert_int_equal(asked, 1 + MOST_BODIES * (MOST_BODIES - 1) / 2);
-    const double until = 3.0 * (double)test_scaled(1);
-    assert_int_equal(bmr_simulation_run(simulation, until), BMR_OK);
-    assert_int_equal(heap.asked, asked);
-    const bmr_simulation_counts counts = bmr_simulation_get_counts(simulation);
-    assert_int_equal(counts.pairs, MOST_BODIES * (MOST_BODIES - 1) / 2);
-    assert_true(counts.pair_bytes + counts.queue_bytes < bytes);
-    assert_int_equal(w.out_of_order, 0);
-    assert_int_equal(w.failed_audits, 0);
-    assert_true(w.events > 400 && w.worst_contact < 1e-8);
-    assert_int_equal(bmr_simulation_audit(simulation), BMR_OK);
-    bmr_simulation_destroy(simulation);
-    assert_int_equal(heap.blocks, 0);
-    assert_int_equal(heap.wrong_sizes, 0);
-    drop_scene(&s);
+    size_t events = 0;
+    for (int pair = 0; pair < 190; pair++) {
+        own_scene scene s = make_scene(&random, 60);
+        test_heap heap;
+        test_heap_init(&heap, SIZE_MAX);
+        watch w;
+        bmr_simulation *simulation = begin(&s, some_structure((size_t)pair), &w, &heap.allocator);
+        const size_t asked = heap.asked;
+        assert_int_equal(asked, 2);
+        assert_int_equal(bmr_simulation_run(simulation, 3.0 * (double)test_scaled(1)), BMR_OK);
+        assert_int_equal(heap.asked, asked);
+        assert_true(bmr_simulation_get_counts(simulation).bytes < heap.bytes);
+        assert_int_equal(w.out_of_order, 0);
+        assert_int_equal(w.failed_audits, 0);
+        assert_true(w.worst_contact < 1e-8);
+        assert_int_equal(bmr_simulation_audit(simulation), BMR_OK);
+        events += w.events;
+        bmr_simulation_destroy(simulation);
+        assert_int_equal(heap.blocks, 0);
+        assert_int_equal(heap.wrong_sizes, 0);
+    }
+    assert_true(events > 400);
 }
 
 // ---- controls: a structure that is wrong ----
@@ -263,7 +251,7 @@ TEST(what_is_wrong_is_seen_and_ends) {
                                        lie_conditions, lie_repair, lie_proof, NULL};
     const bmr_kds_info info = {"liar", "", "", BMR_KDS_RIGID, false, -1, &lies};
     test_random random = test_random_from(8);
-    scene s = make_scene(&random, 2, 10);
+    own_scene scene s = make_scene(&random, 10);
     for (size_t i = 0; i < 2; i++) {
         bmr_motion_destroy(s.motions[i]);
         const bmr_motion_piece piece = bmr_piece_screw(0.0, pose_of(4.0 * (double)i, 0.0, 0.0),
@@ -276,9 +264,9 @@ TEST(what_is_wrong_is_seen_and_ends) {
     memset(&w, 0, sizeof w);
     w.scene = &s;
     bmr_simulation *simulation = NULL;
-    assert_int_equal(bmr_simulation_create(&def, NULL, s.motions, 2, 0.0, observe, &w, NULL, &simulation),
+    assert_int_equal(bmr_simulation_create(&def, NULL, s.motions, 0.0, observe, &w, NULL, &simulation),
                      BMR_ERROR_NULL_ARGUMENT);
-    assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 2, 0.0, observe, &w, NULL, &simulation),
+    assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 0.0, observe, &w, NULL, &simulation),
                      BMR_OK);
     // B's vertices pass the line before its origin does.
     assert_int_equal(bmr_simulation_run(simulation, 2.9), BMR_OK);
@@ -288,5 +276,4 @@ TEST(what_is_wrong_is_seen_and_ends) {
     assert_true(fabs(bmr_simulation_time(simulation) - 3.0) < 1e-8);
     assert_true(w.events > BMR_SIMULATION_BURST && w.failed_audits >= BMR_SIMULATION_BURST);
     bmr_simulation_destroy(simulation);
-    drop_scene(&s);
 }

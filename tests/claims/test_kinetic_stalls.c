@@ -114,7 +114,7 @@ static bmr_error run(const scene *s, double turn, double end, event_times *times
     const bmr_shape shapes[2] = {s->a.shape, s->b.shape};
     bmr_simulation *simulation;
     assert_int_equal(
-        bmr_simulation_create(&def, shapes, motions, 2, 0.0, times ? note : NULL, times, NULL, &simulation),
+        bmr_simulation_create(&def, shapes, motions, 0.0, times ? note : NULL, times, NULL, &simulation),
         BMR_OK);
     bmr_error error = bmr_simulation_run(simulation, end);
     if (error == BMR_OK)

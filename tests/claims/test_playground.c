@@ -147,7 +147,7 @@ static void count_at_once(const bmr_kds_info *info, int n, uint64_t counts[BMR_K
     def.structure = info;
     bmr_simulation *simulation; // begun while B rests, as by a hand: a structure may go by the rates
     assert_int_equal(
-        bmr_simulation_create(&def, shapes, motions, 2, -1.0, count_kind, counts, NULL, &simulation), 0);
+        bmr_simulation_create(&def, shapes, motions, -1.0, count_kind, counts, NULL, &simulation), 0);
     assert_int_equal(bmr_simulation_run(simulation, HOLDS), 0);
     bmr_simulation_destroy(simulation);
     for (int body = 0; body < 2; ++body) {

@@ -195,9 +195,8 @@ class Kinetic(unittest.TestCase):
     def test_what_is_asked_wrongly_is_told(self):
         with self.assertRaisesRegex(bmr.BoomerangError, 'no structure "lazy-dudly"; there are .*lazy-dudley'):
             kinetic.find_structure("lazy-dudly")
-        with self.assertRaisesRegex(ValueError, "1 polygons and 0 motions"):
+        with self.assertRaisesRegex(ValueError, "not 1 and 0"):
             kinetic.Simulation([self.p], [])
-        self.assertRaises(bmr.BoomerangError, kinetic.Simulation, [], [])
         simulation = kinetic.Simulation([self.p, self.p], [kinetic.Motion.rest(), kinetic.Motion.rest((9, 0))])
         self.assertRaises(bmr.BoomerangError, simulation.run, math.nan)
         with self.assertRaisesRegex(ValueError, "there is no family 'lines'; there are line, "):

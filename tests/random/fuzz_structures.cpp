@@ -108,7 +108,7 @@ void Replan(World *world, double time, fuzz_bytes *bytes) {
     fuzz_tame(&piece, &world->ranges[body]);
     if (bmr_motion_change(world->motions[body], time, &piece) != BMR_OK)
         return;
-    const bmr_error error = bmr_simulation_replan(world->simulation, body);
+    const bmr_error error = bmr_simulation_replan(world->simulation);
     FUZZ_CHECK(error == BMR_OK, "%s: replan at %.17g: %s", world->info->name, time,
                bmr_error_describe(error));
 }
@@ -119,11 +119,10 @@ void Run(World *world, fuzz_bytes *bytes) {
     def.kds = world->def;
     def.contact_step = 0.01;
     const bmr_shape shapes[2] = {world->bodies[0].shape, world->bodies[1].shape};
-    const bmr_error made = bmr_simulation_create(&def, shapes, world->motions, 2, 0.0, Observe, world,
-                                                 nullptr, &world->simulation);
+    const bmr_error made =
+        bmr_simulation_create(&def, shapes, world->motions, 0.0, Observe, world, nullptr, &world->simulation);
     FUZZ_CHECK(made == BMR_OK, "%s: %s", world->info->name, bmr_error_describe(made));
-    size_t first, second;
-    const bmr_kds *const kds = bmr_simulation_pair(world->simulation, 0, &first, &second);
+    const bmr_kds *const kds = bmr_simulation_kds(world->simulation);
     double time = 0.0;
     Look(*world, kds, time, PoseAt(*world, time));
     for (int look = 0; look < 10 && time < kEnd; ++look) {

@@ -10,16 +10,16 @@ extern "C" {
 #endif
 
 /// @file
-/// A kinetic simulation of k moving convex polygons: one structure for each pair, one event queue, events in
-/// time order. In boomerang::kinetic.
+/// A kinetic simulation of two moving convex polygons: one structure, every event in time order. Many bodies
+/// are a world (world.h). In boomerang::kinetic.
 
 typedef struct bmr_simulation bmr_simulation;
 
 typedef struct bmr_simulation_def {
-    const bmr_kds_info *structure; ///< of every pair
+    const bmr_kds_info *structure;
     bmr_kds_def kds;
     bmr_failure_options failure;
-    /// The most time between two looks at a pair in contact; > 0. A contact ends where the distance rises
+    /// The most time between two checks of a pair in contact; > 0. A contact ends where the distance rises
     /// above kds.margin + kds.hysteresis. Steps that the bodies' speeds make safe find that time to
     /// failure.tolerance. Leaving and touching again within a thousandth of this step may go unnoticed.
     double contact_step;
@@ -31,12 +31,10 @@ bmr_simulation_def bmr_default_simulation_def(void);
 /// which may be a few failure.tolerance after `time`; `pose` is that of the repair.
 typedef struct bmr_simulation_event {
     double time;
-    size_t pair; ///< index, see bmr_simulation_pair
-    size_t a, b; ///< the bodies, a < b
     bmr_kds_report report;
     bmr_condition failed;        ///< the condition that failed; zero for START, CONTACT by start, LEAVE
     bmr_kds_proof before, after; ///< before: zero for START and LEAVE; after: zero for CONTACT
-    bmr_pose pose;               ///< of b in a's frame
+    bmr_pose pose;               ///< of the second body in the first's frame
     const bmr_kds *kds;
 } bmr_simulation_event;
 typedef void (*bmr_simulation_observer)(void *context, const bmr_simulation_event *event);
@@ -44,48 +42,44 @@ typedef void (*bmr_simulation_observer)(void *context, const bmr_simulation_even
 /// Counts for the four qualities of a kinetic structure (compact, responsive, local, efficient).
 typedef struct bmr_simulation_counts {
     uint64_t events[BMR_KDS_EVENT_KIND_COUNT];
-    uint64_t lines;           ///< replacements of a separating line by another, starts not counted
-    uint64_t touched;         ///< elementary steps of starts and repairs
-    uint64_t failure_times;   ///< failure times computed
-    uint64_t replanned;       ///< of those, after a change of flight plan
-    uint64_t external;        ///< contacts begun and ended since the start: any method must process these
-    size_t pairs, conditions; ///< at this moment
-    size_t pair_bytes;        ///< of all pairs: structures, and the simulation's own records
-    size_t queue_bytes;
+    uint64_t lines;         ///< replacements of a separating line by another, starts not counted
+    uint64_t touched;       ///< elementary steps of starts and repairs
+    uint64_t failure_times; ///< failure times computed
+    uint64_t replanned;     ///< of those, after a change of flight plan
+    uint64_t external;      ///< contacts begun and ended since the start: any method must process these
+    size_t conditions;      ///< at this moment
+    size_t bytes;           ///< of the structure
 } bmr_simulation_counts;
 
-/// Makes a simulation that begins at `time` with `count` bodies. The polygons, hierarchies and motions must
-/// outlive it. Every pair gets a structure and a START (or is in CONTACT). Memory: one block of the allocator
-/// (NULL: malloc) and one for each pair; nothing later. Errors: NULL_ARGUMENT, NOT_FINITE (time),
-/// OUT_OF_RANGE (fewer than two bodies, a def that makes no sense), TOO_LARGE (k bodies take about 76 k^2
-/// bytes, which must not be more than half of what can be addressed), NO_MEMORY, and those of bmr_kds_create.
-bmr_error bmr_simulation_create(const bmr_simulation_def *def, const bmr_shape *shapes,
-                                bmr_motion *const *motions, size_t count, double time,
-                                bmr_simulation_observer observer, void *context,
-                                const bmr_allocator *allocator, bmr_simulation **simulation);
+/// Makes a simulation that begins at `time`. The polygons, hierarchies and motions must outlive it. The
+/// structure has a START (or is in CONTACT). Memory: two blocks of the allocator (NULL: malloc); nothing
+/// later. Errors: NULL_ARGUMENT, NOT_FINITE (time), OUT_OF_RANGE (a def that makes no sense), NO_MEMORY, and
+/// those of bmr_kds_create.
+bmr_error bmr_simulation_create(const bmr_simulation_def *def, const bmr_shape shapes[2],
+                                bmr_motion *const motions[2], double time, bmr_simulation_observer observer,
+                                void *context, const bmr_allocator *allocator, bmr_simulation **simulation);
 void bmr_simulation_destroy(bmr_simulation *simulation);
 
-/// Processes every event up to and including `until`, in time order (ties by pair index), and calls the
-/// observer for each. If a pair has more than BMR_SIMULATION_BURST events within failure.tolerance of one
-/// another (a Zeno loop), it returns STALLED, and the simulation stands at that time. O(log pairs) an event
-/// beside its repair and its failure times. If a motion jumps, its pairs are started afresh: START, CONTACT
-/// or LEAVE. Errors also: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (`until` is past, or so far away that a
-/// search takes too many steps: one of bmr_failure_time, or two million looks at a contact, which are at
-/// least contact_step / 1000 and failure.tolerance apart), and those of bmr_failure_time.
+/// Processes every event up to and including `until`, in time order, and calls the observer for each. If
+/// there are more than BMR_SIMULATION_BURST events within failure.tolerance of one another (a Zeno loop), it
+/// returns STALLED, and the simulation stands at that time. If a motion jumps, the structure is started
+/// afresh: START, CONTACT or LEAVE. Errors also: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (`until` is past, or
+/// so far away that a search takes too many steps: one of bmr_failure_time, or two million samples of a
+/// contact, which are at least contact_step / 1000 and failure.tolerance apart), and those of
+/// bmr_failure_time.
 bmr_error bmr_simulation_run(bmr_simulation *simulation, double until);
 #define BMR_SIMULATION_BURST 1000
 double bmr_simulation_time(const bmr_simulation *simulation);
 
-/// Call this after the motion of `body` was changed (bmr_motion_change) from the present time on. It
-/// recomputes the failure times of that body's pairs, and of no other, as far as any run went. If the pose
-/// jumps at the present time, it restarts them. Until this call the simulation uses the old motion's times.
-/// O(bodies) searches. Errors: NULL_ARGUMENT, OUT_OF_RANGE (no such body), those of bmr_failure_time.
-bmr_error bmr_simulation_replan(bmr_simulation *simulation, size_t body);
+/// Call this after a motion was changed (bmr_motion_change) from the present time on. It computes the failure
+/// times anew, as far as any run went. If the pose jumps at the present time, it restarts the structure.
+/// Until this call the simulation uses the old motion's times. Errors: NULL_ARGUMENT, those of
+/// bmr_failure_time.
+bmr_error bmr_simulation_replan(bmr_simulation *simulation);
 
-/// The structure of one pair (index < bmr_simulation_counts.pairs). `a` and `b`, if not NULL, get its bodies.
-const bmr_kds *bmr_simulation_pair(const bmr_simulation *simulation, size_t pair, size_t *a, size_t *b);
+const bmr_kds *bmr_simulation_kds(const bmr_simulation *simulation);
 bmr_simulation_counts bmr_simulation_get_counts(const bmr_simulation *simulation);
-/// Calls bmr_kds_audit on every pair at the present time, and returns the first error.
+/// Calls bmr_kds_audit at the present time.
 bmr_error bmr_simulation_audit(const bmr_simulation *simulation);
 
 #ifdef __cplusplus

@@ -59,13 +59,12 @@ kds_proof = record("kds_proof", ("owner", c_int), ("line", line), ("nearest", ve
 failure_options = record("failure_options", ("tolerance", c_double))
 simulation_def = record("simulation_def", ("structure", POINTER(kds_info)), ("kds", kds_def), ("failure", failure_options),
                         ("contact_step", c_double))
-simulation_event = record("simulation_event", ("time", c_double), ("pair", c_size_t), ("a", c_size_t), ("b", c_size_t),
-                          ("report", kds_report), ("failed", condition), ("before", kds_proof), ("after", kds_proof), ("pose", pose),
-                          ("kds", c_void_p))
+simulation_event = record("simulation_event", ("time", c_double), ("report", kds_report), ("failed", condition), ("before", kds_proof),
+                          ("after", kds_proof), ("pose", pose), ("kds", c_void_p))
 ON_SIMULATION_EVENT = CFUNCTYPE(None, c_void_p, POINTER(simulation_event))
 simulation_counts = record("simulation_counts", ("events", c_uint64 * 12), ("lines", c_uint64), ("touched", c_uint64),
-                           ("failure_times", c_uint64), ("replanned", c_uint64), ("external", c_uint64), ("pairs", c_size_t),
-                           ("conditions", c_size_t), ("pair_bytes", c_size_t), ("queue_bytes", c_size_t))
+                           ("failure_times", c_uint64), ("replanned", c_uint64), ("external", c_uint64),
+                           ("conditions", c_size_t), ("bytes", c_size_t))
 screw_motion = record("screw_motion", ("start", pose), ("velocity", vec2), ("spin", c_double))
 algebraic_piece = record("algebraic_piece", ("degree", c_size_t), ("x", c_double * 9), ("y", c_double * 9),
                          ("rotation_degree", c_size_t), ("a", c_double * 9), ("b", c_double * 9), ("start_c", c_double),
@@ -113,8 +112,8 @@ KINETIC = {
     "bmr_motion_destroy": (None, c_void_p),
     "bmr_motion_pose": (pose, c_void_p, c_double, POINTER(vec2), POINTER(c_double)),
     "bmr_default_simulation_def": (simulation_def,),
-    "bmr_simulation_create": (error, POINTER(simulation_def), POINTER(shape), POINTER(c_void_p), c_size_t, c_double, ON_SIMULATION_EVENT,
-                              c_void_p, c_void_p, POINTER(c_void_p)),
+    "bmr_simulation_create": (error, POINTER(simulation_def), POINTER(shape), POINTER(c_void_p), c_double, ON_SIMULATION_EVENT, c_void_p,
+                              c_void_p, POINTER(c_void_p)),
     "bmr_simulation_destroy": (None, c_void_p),
     "bmr_simulation_run": (error, c_void_p, c_double),
     "bmr_simulation_time": (c_double, c_void_p),

@@ -105,11 +105,9 @@ class Motion:
 
 
 class Event(NamedTuple):
-    """One event of a simulation: what happened to the pair (a, b), in the paper's words, and what it cost in elementary steps."""
+    """One event of a simulation, in the paper's words, and what it cost in elementary steps."""
 
     time: float
-    a: int
-    b: int
     kind: str
     apart: bool
     line_changed: bool
@@ -119,26 +117,25 @@ class Event(NamedTuple):
 
 
 class Simulation:
-    """Polygons that move as planned: one kinetic structure for each pair, events in time order."""
+    """Two polygons that move as planned: one kinetic structure, events in time order."""
 
     def __init__(self, polygons, motions, structure="lazy-dudley", time=0.0, margin=1e-6, hysteresis=0.0):
         polygons, motions = tuple(polygons), tuple(motions)
-        if len(polygons) != len(motions):
-            raise ValueError(f"{len(polygons)} polygons and {len(motions)} motions")
+        if len(polygons) != 2 or len(motions) != 2:
+            raise ValueError(f"two polygons and their motions, not {len(polygons)} and {len(motions)}")
         made = library.bmr_default_simulation_def()
         made.structure, self.structure = find_structure(structure)
         made.kds.margin, made.kds.hysteresis = float(margin), float(hysteresis)
         kinds = [self.structure.hierarchy] if self.structure.hierarchy else []
-        count = len(polygons)
-        shapes = (_c.shape * max(1, count))(*(polygon._shape(kinds) for polygon in polygons))
-        plans = (c_void_p * max(1, count))(*(motion._c for motion in motions))
+        shapes = (_c.shape * 2)(*(polygon._shape(kinds) for polygon in polygons))
+        plans = (c_void_p * 2)(*(motion._c for motion in motions))
         self._new = []
         observer = _c.ON_SIMULATION_EVENT(_note_into(self._new))
-        self._c, _ = _c.create(library.bmr_simulation_create, byref(made), shapes, plans, count, float(time), observer, None)
+        self._c, _ = _c.create(library.bmr_simulation_create, byref(made), shapes, plans, float(time), observer, None)
         _c.release_with(self, (polygons, motions, shapes, plans, observer), library.bmr_simulation_destroy, self._c)
 
     def run(self, until):
-        """All events up to and at the time `until` that were not told yet, in order, the starts of all pairs among the first."""
+        """All events up to and at the time `until` that were not told yet, in order; the first is the start."""
         library.bmr_simulation_run(self._c, float(until))
         told = list(self._new)
         self._new.clear()
@@ -150,13 +147,13 @@ class Simulation:
 
     @property
     def counts(self):
-        """What it took so far: {"events": {kind: number}, "lines": .., "steps": .., "failure_times": .., "pairs": .., "conditions": ..}."""
+        """What it took so far: {"events": {kind: number}, "lines": .., "steps": .., "failure_times": .., "conditions": .., "bytes": ..}."""
         c = library.bmr_simulation_get_counts(self._c)
         return {"events": dict(zip(_EVENT_NAMES, c.events)), "lines": c.lines, "steps": c.touched, "failure_times": c.failure_times,
-                "external": c.external, "pairs": c.pairs, "conditions": c.conditions, "pair_bytes": c.pair_bytes}
+                "external": c.external, "conditions": c.conditions, "bytes": c.bytes}
 
     def audit(self):
-        """Proves every pair again from nothing; raises BoomerangError if one is false."""
+        """Proves the pair apart again, from nothing; raises BoomerangError if the proof is false."""
         library.bmr_simulation_audit(self._c)
 
 
@@ -164,7 +161,7 @@ def _note_into(events):
     def note(_, event):
         e = event.contents
         r = e.report
-        events.append(Event(e.time, e.a, e.b, _EVENT_NAMES[r.kind], r.apart, r.line_changed, r.level_before, r.level_after, r.touched))
+        events.append(Event(e.time, _EVENT_NAMES[r.kind], r.apart, r.line_changed, r.level_before, r.level_after, r.touched))
 
     return note
 
