@@ -13,7 +13,7 @@ extern "C" {
 /// @file
 /// A kinetic world of many convex polygons: the broad phase that the paper's last section asks for, the
 /// structures of sections 5 and 6 for the pairs that are near, and answers to contacts. In
-/// boomerang::kinetic. (All pairs of a few bodies, every event of every proof: boomerang/simulation.h.)
+/// boomerang::kinetic. (Two bodies, and every event of one structure: boomerang/simulation.h.)
 ///
 /// Everything is a certificate with a time of failure, in one queue:
 ///   - of a body: "the centre of my bounding disk is in my cell". Cells are those of nested grids, each twice
