@@ -26,10 +26,10 @@ bmr_error play_body_create_ngon(bmr_ngon kind, size_t n, uint64_t seed, double s
 void play_body_destroy(play_body *body);
 bmr_shape play_body_shape(const play_body *body);
 
-/// Room that is enough for any envelope of a body: a compass hierarchy has at most five edges a corner.
-#define PLAY_ENVELOPE_ROOM (5u * PLAY_MOST_CORNERS)
+/// The most corners of an envelope of a body: a compass hierarchy has at most five edges a corner.
+#define PLAY_MOST_ENVELOPE (5u * PLAY_MOST_CORNERS)
 /// The corners of the envelope of a level (of the deepest, if it is deeper), counter-clockwise, at a pose.
-/// `corners` has PLAY_ENVELOPE_ROOM. Returns how many there are.
+/// `corners` takes PLAY_MOST_ENVELOPE. Returns how many there are.
 size_t play_envelope(const bmr_hierarchy *hierarchy, uint32_t level, const bmr_pose *pose, bmr_vec2 *corners);
 
 #endif

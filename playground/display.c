@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 /// Of the first block, in numbers: a picture of two bodies of a hundred corners.
-#define FIRST_ROOM 4096u
+#define FIRST_CAPACITY 4096u
 
 void play_display_clear(play_display *display) {
     display->count = 0;
@@ -15,23 +15,23 @@ void play_display_free(play_display *display) {
     *display = (play_display){0};
 }
 
-static bool make_room(play_display *display, size_t more) {
-    size_t room = display->room > 0 ? display->room : FIRST_ROOM;
-    while (room - display->count < more)
-        room *= 2;
-    if (room == display->room)
+static bool reserve(play_display *display, size_t more) {
+    size_t capacity = display->capacity > 0 ? display->capacity : FIRST_CAPACITY;
+    while (capacity - display->count < more)
+        capacity *= 2;
+    if (capacity == display->capacity)
         return true;
-    float *numbers = realloc(display->numbers, room * sizeof *numbers);
+    float *numbers = realloc(display->numbers, capacity * sizeof *numbers);
     if (!numbers)
         return false;
     display->numbers = numbers;
-    display->room = room;
+    display->capacity = capacity;
     return true;
 }
 
 void play_display_add(play_display *display, play_mark mark, play_ink ink, double strength, int label,
                       const bmr_vec2 *points, size_t count) {
-    if (count == 0 || !make_room(display, PLAY_ITEM_HEAD + 2 * count))
+    if (count == 0 || !reserve(display, PLAY_ITEM_HEAD + 2 * count))
         return;
     float *out = display->numbers + display->count;
     *out++ = (float)mark;

@@ -31,7 +31,7 @@ typedef enum play_ink {
     PLAY_INK_LEVEL_B,    ///< another level of B's
     PLAY_INK_LINE,       ///< the line that separates
     PLAY_INK_OLD_LINE,   ///< the line that the last event replaced
-    PLAY_INK_WATCHED,    ///< what a condition watches: corners, and the room that they have
+    PLAY_INK_WATCHED,    ///< what a condition watches: corners, and their slack
     PLAY_INK_WINDOW,     ///< the cone that the line's direction may be in
     PLAY_INK_EVENT,      ///< an event of the chosen structure
     PLAY_INK_CONTACT,    ///< a contact
@@ -54,7 +54,7 @@ typedef enum play_ink {
 
 typedef struct play_display {
     float *numbers;
-    size_t count, room;
+    size_t count, capacity;
 } play_display;
 
 /// Nothing to draw; keeps its memory. Begin with a display of zeros.

@@ -14,7 +14,7 @@
 
 static void draw_envelope(play_display *display, const bmr_hierarchy *hierarchy, uint32_t level,
                           const bmr_pose *pose, play_ink ink, double strength) {
-    bmr_vec2 corners[PLAY_ENVELOPE_ROOM];
+    bmr_vec2 corners[PLAY_MOST_ENVELOPE];
     const size_t count = play_envelope(hierarchy, level, pose, corners);
     play_display_add(display, PLAY_AREA, ink, strength, PLAY_NO_LABEL, corners, count);
 }

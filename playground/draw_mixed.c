@@ -66,7 +66,7 @@ void play_draw_mixed(play_display *display, const play_duel *duel) {
 
 /// The corner of a body's bounding rectangle that is farthest from its origin.
 static double reach_of(const play_duel *duel, int body, int kind) {
-    bmr_vec2 corners[PLAY_ENVELOPE_ROOM];
+    bmr_vec2 corners[PLAY_MOST_ENVELOPE];
     const bmr_pose home = bmr_pose_identity();
     const size_t count = play_envelope(duel->def.bodies[body]->hierarchies[kind], 0, &home, corners);
     double reach = 0.0;

@@ -24,14 +24,14 @@ bool play_is_cell(const bmr_kds_info *info) {
     return strncmp(info->name, "active-cell", strlen("active-cell")) == 0;
 }
 
-// ---- what is told ----
+// ---- events ----
 
 static void remember(void *context, const bmr_simulation_event *event) {
     play_duel *duel = context;
     if (event->report.kind == BMR_KDS_START || event->report.kind == BMR_KDS_NONE)
         return;
     duel->latest = (play_event){event->report, event->before, event->after, event->failed, 0.0};
-    ++duel->told;
+    ++duel->event_count;
 }
 
 static void mark(void *context, const bmr_simulation_event *event) {

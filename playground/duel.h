@@ -63,9 +63,9 @@ typedef struct play_duel {
     double until; ///< of a course, which begins at 0; BY_HAND: INFINITY
     double time;
     play_follower followers[PLAY_FOLLOWERS];
-    play_event latest; ///< its report's kind is BMR_KDS_START while there is none
-    uint64_t told;     ///< events of the chosen structure since the beginning
-    unsigned holds;    ///< since the motions were made
+    play_event latest;    ///< its report's kind is BMR_KDS_START while there is none
+    uint64_t event_count; ///< events of the chosen structure since the beginning
+    unsigned holds;       ///< since the motions were made
 } play_duel;
 
 /// The structures start at the beginning of the course, which is followed once to its end for the time line.

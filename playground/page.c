@@ -8,7 +8,7 @@
 #include "draw.h"
 #include "words.h"
 
-#define TEXT_ROOM 1024u
+#define TEXT_SIZE 1024u
 /// The largest whole number that a seed may be: all of them are exact in a double.
 #define MOST_SEED 4294967295.0
 
@@ -20,7 +20,7 @@ struct play_page {
     size_t sketched;
     play_display display;
     double frame[4];
-    char text[TEXT_ROOM];
+    char text[TEXT_SIZE];
 };
 
 play_page *play_open(void) {
@@ -289,8 +289,8 @@ int play_mark_count(const play_page *page, int follower) {
     const play_follower *f = follower_at(page, follower);
     return f ? (int)f->mark_count : 0;
 }
-double play_told(const play_page *page) {
-    return page->duel ? (double)page->duel->told : 0.0;
+double play_event_count(const play_page *page) {
+    return page->duel ? (double)page->duel->event_count : 0.0;
 }
 int play_latest(const play_page *page) {
     const play_event *event = page->duel ? play_duel_latest(page->duel) : NULL;
@@ -383,15 +383,15 @@ const char *play_text(play_page *page, int which) {
     page->text[0] = '\0';
     if (which == PLAY_TEXT_CROWD) {
         if (page->crowd)
-            play_describe_crowd(page->crowd, page->text, TEXT_ROOM);
+            play_describe_crowd(page->crowd, page->text, TEXT_SIZE);
     } else if (page->duel) {
         if (which == PLAY_TEXT_PROOF)
-            play_describe_proof(page->duel, page->text, TEXT_ROOM);
+            play_describe_proof(page->duel, page->text, TEXT_SIZE);
         else if (which == PLAY_TEXT_EVENT)
             play_describe_event(play_duel_latest(page->duel), play_is_cell(page->duel->def.structure),
-                                page->text, TEXT_ROOM);
+                                page->text, TEXT_SIZE);
         else if (which == PLAY_TEXT_COUNTS)
-            play_describe_counts(page->duel, page->text, TEXT_ROOM);
+            play_describe_counts(page->duel, page->text, TEXT_SIZE);
     }
     return page->text;
 }

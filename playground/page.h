@@ -82,8 +82,8 @@ int play_counts(int kind);
 /// Events of a course on its time line: pairs (time, kind). Valid until the next play_use_.. or play_set_...
 const double *play_marks(const play_page *page, int follower);
 int play_mark_count(const play_page *page, int follower);
-/// Events of the chosen structure that were told so far, and the kind of the latest (-1: none).
-double play_told(const play_page *page);
+/// Events of the chosen structure so far, and the kind of the latest (-1: none).
+double play_event_count(const play_page *page);
 int play_latest(const play_page *page);
 
 // ---- many bodies: return a bmr_error ----

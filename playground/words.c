@@ -64,15 +64,15 @@ play_levels play_levels_of(const play_duel *duel) {
     return levels;
 }
 
-/// The room of the conditions: the least distance, and the least angle to either side.
-typedef struct room {
+/// The slacks of the conditions: the least distance, and the least angle to either side.
+typedef struct slacks {
     size_t beyond, turns;
     double distance, angles[2];
-} room;
+} slacks;
 
-static room room_of(const play_duel *duel) {
+static slacks slacks_of(const play_duel *duel) {
     bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
-    room r = {0, 0, INFINITY, {INFINITY, INFINITY}};
+    slacks r = {0, 0, INFINITY, {INFINITY, INFINITY}};
     const bmr_pose pose = play_duel_b_in_a(duel);
     const size_t count = bmr_kds_conditions(play_duel_kds(duel), conditions);
     for (size_t i = 0; i < count; ++i) {
@@ -88,7 +88,7 @@ static room room_of(const play_duel *duel) {
     return r;
 }
 
-static void say_cell(writer *w, const room *r, int level) {
+static void say_cell(writer *w, const slacks *r, int level) {
     if (level < 0)
         say(w, "x, the place of B as A sees it, is outside of all cells: one edge of a bounding rectangle is "
                "enough.");
@@ -99,7 +99,7 @@ static void say_cell(writer *w, const room *r, int level) {
     say(w, " The nearest side is %.3g away.", r->distance);
 }
 
-static void say_line(writer *w, const play_duel *duel, const bmr_kds_proof *proof, const room *r) {
+static void say_line(writer *w, const play_duel *duel, const bmr_kds_proof *proof, const slacks *r) {
     const char *owner = proof->owner == 0 ? "A" : "B", *other = proof->owner == 0 ? "B" : "A";
     const play_levels levels = play_levels_of(duel);
     say(w, "All of %s is on one side of the line, all of %s on the other.", owner, other);
@@ -124,7 +124,7 @@ size_t play_describe_proof(const play_duel *duel, char *text, size_t size) {
         return w.length;
     }
     say(&w, "Apart. ");
-    const room r = room_of(duel);
+    const slacks r = slacks_of(duel);
     if (play_is_cell(duel->def.structure))
         say_cell(&w, &r, proof.level);
     else

@@ -21,7 +21,7 @@ typedef struct play_levels {
 } play_levels;
 play_levels play_levels_of(const play_duel *duel);
 
-/// The certificate as it is now: whose line, which level, and what room each condition has left.
+/// The certificate as it is now: whose line, which level, and the slack of each condition.
 size_t play_describe_proof(const play_duel *duel, char *text, size_t size);
 /// What an event was, in two or three sentences. NULL: that none has been yet. `cell`: of a structure that
 /// holds a cell.

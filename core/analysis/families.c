@@ -206,7 +206,7 @@ bmr_error bmr_family_create(const bmr_family_def *def, const bmr_polygon *a, con
         return BMR_ERROR_OUT_OF_RANGE;
     bmr_family_motion result = {.diameter = plan.diameter, .sigma = plan.sigma};
     bmr_error error = draw(&plan, def, allocator);
-    // The orbit is at its distance by construction, all the time: one look at each piece is enough.
+    // The orbit is at its distance by construction, all the time: one sample of each piece is enough.
     if (error == BMR_OK)
         error = def->family == BMR_FAMILY_ORBIT ? attempt(&plan, plan.sigma, INFINITY, allocator, &result)
                                                 : search_parameter(&plan, allocator, &result);

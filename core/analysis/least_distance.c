@@ -18,7 +18,7 @@ typedef struct search {
     bmr_simplex simplex; ///< where the last query ended
 } search;
 
-static double look(search *s, double time) {
+static double distance_at(search *s, double time) {
     const bmr_pose a = bmr_motion_pose(s->motion_a, time, NULL, NULL);
     const bmr_pose b = bmr_motion_pose(s->motion_b, time, NULL, NULL);
     const bmr_pose b_in_a = bmr_pose_relative(&a, &b);
@@ -39,21 +39,21 @@ static void narrow(search *s, double from, double to, double middle, int depth) 
     if (s->best <= 0.0 || middle - 0.5 * speed * (to - from) >= s->best - s->tolerance || depth == 0)
         return;
     const double third = (to - from) / 3.0, one = from + third, two = to - third;
-    const double first = look(s, from + 0.5 * third), last = look(s, to - 0.5 * third);
+    const double first = distance_at(s, from + 0.5 * third), last = distance_at(s, to - 0.5 * third);
     narrow(s, one, two, middle, depth - 1);
     narrow(s, from, one, first, depth - 1);
     narrow(s, two, to, last, depth - 1);
 }
 
-/// Calls `narrow` (or, before that, just looks at the middle) for every stretch of one piece of each motion.
-static void sweep(search *s, double from, double to, bool only_look) {
+/// Calls `narrow` (or, before that, just measures the middle) for every stretch of one piece of each motion.
+static void sweep(search *s, double from, double to, bool only_middle) {
     for (double at = from; at < to && s->best > 0.0;) {
         double end_a, end_b;
         s->piece_a = bmr_motion_piece_at(s->motion_a, at, &end_a);
         s->piece_b = bmr_motion_piece_at(s->motion_b, at, &end_b);
         const double end = fmin(to, fmin(end_a, end_b));
-        const double middle = look(s, at + 0.5 * (end - at));
-        if (!only_look)
+        const double middle = distance_at(s, at + 0.5 * (end - at));
+        if (!only_middle)
             narrow(s, at, end, middle, MAX_DEPTH);
         at = end;
     }
@@ -80,8 +80,8 @@ bmr_error bmr_least_distance(const bmr_polygon *a, const bmr_polygon *b, const b
                 .best = INFINITY,
                 .time = from,
                 .simplex = bmr_simplex_make(0, 0)};
-    look(&s, from);
-    look(&s, to);
+    distance_at(&s, from);
+    distance_at(&s, to);
     // A good bound first: then most stretches are closed at once.
     sweep(&s, from, to, true);
     sweep(&s, from, to, false);

@@ -9,14 +9,14 @@
 #define PI 3.14159265358979323846
 /// Halvings of a stretch: double's precision is spent.
 #define MAX_DEPTH 44
-/// No stretch is longer than this part of (sizes + distance), whatever its ends look like: a whole turn
-/// between two samples would look like none.
+/// No stretch is longer than this part of (sizes + distance), whatever its ends are: a whole turn
+/// between two samples would pass for none.
 #define LONGEST_PART 0.25
 /// Near contact the cone's width goes to zero; ends are not told apart more finely than this times the
 /// resolution (radians).
 #define LEAST_WIDTH 1e-4
 /// What a cone may lose, as a multiple of resolution * least distance / size: a line that passes at the least
-/// distance and is seen from some sizes afar has about that angle of room.
+/// distance and is seen from some sizes afar can turn by about that angle.
 #define LOSS_PART 0.25
 /// For that, the least distance is measured to this part of the size, and taken for no less.
 #define LEAST_DISTANCE 1e-4
@@ -43,7 +43,7 @@ typedef struct cover {
     double from;
     uint64_t count;
     bmr_cover_line *lines;
-    size_t room;
+    size_t capacity;
 } cover;
 
 typedef struct sweep {
@@ -56,7 +56,7 @@ typedef struct sweep {
     cover least, found;
 } sweep;
 
-static cone look(sweep *s, double time) {
+static cone cone_at(sweep *s, double time) {
     const bmr_pose pose = bmr_course_pose(s->course, time);
     cone c = {.time = time, .turn = atan2(pose.s, pose.c)};
     bmr_vec2 inside;
@@ -88,7 +88,7 @@ static void intersect(running *r, const cone *c, int frame, double loss) {
     }
 }
 
-static void begin(cover *v, const cone *c) {
+static void open_certificate(cover *v, const cone *c) {
     v->open = true;
     v->count++;
     v->from = c->time;
@@ -100,8 +100,8 @@ static void begin(cover *v, const cone *c) {
 }
 
 /// Writes the open certificate down: the frames as they were at its last sample.
-static void end(cover *v, const running frames[2], double to) {
-    if (v->open && v->count <= v->room) {
+static void close_certificate(cover *v, const running frames[2], double to) {
+    if (v->open && v->count <= v->capacity) {
         const int owner = frames[0].alive ? 0 : 1;
         const double middle = 0.5 * (frames[owner].low + frames[owner].high) + (owner == 0 ? 0.0 : PI);
         v->lines[v->count - 1] =
@@ -113,22 +113,22 @@ static void end(cover *v, const running frames[2], double to) {
 static void add_to_cover(cover *v, const cone *c) {
     const running last[2] = {v->frames[0], v->frames[1]};
     if (!c->apart) {
-        end(v, last, v->before.time);
+        close_certificate(v, last, v->before.time);
         return;
     }
     for (int frame = 0; frame < 2 && v->open; frame++)
         intersect(&v->frames[frame], c, frame, v->joined ? c->loss : 0.0);
     if (!v->open) {
-        begin(v, c);
+        open_certificate(v, c);
     } else if (!v->frames[0].alive && !v->frames[1].alive) {
-        end(v, last, v->before.time);
-        begin(v, v->joined ? &v->before : c);
+        close_certificate(v, last, v->before.time);
+        open_certificate(v, v->joined ? &v->before : c);
         const running begun[2] = {v->frames[0], v->frames[1]};
         for (int frame = 0; frame < 2; frame++)
             intersect(&v->frames[frame], c, frame, v->joined ? c->loss : 0.0);
         if (!v->frames[0].alive && !v->frames[1].alive) { // a leap past any resolution
-            end(v, begun, v->before.time);
-            begin(v, c);
+            close_certificate(v, begun, v->before.time);
+            open_certificate(v, c);
         }
     }
     v->before = *c;
@@ -176,7 +176,7 @@ static void refine(sweep *s, const cone *p, const cone *q, int depth) {
         add(s, q);
         return;
     }
-    cone m = look(s, middle);
+    cone m = cone_at(s, middle);
     const double reach = bmr_course_speed(s->course, p->time, q->time, s->size) * (q->time - p->time);
     const double loss = m.apart && p->apart && q->apart ? most_bend(p, &m, q) : 0.0;
     if (alike(s, p, q) && alike(s, p, &m) && alike(s, &m, q) && loss <= s->most_loss &&
@@ -194,15 +194,15 @@ static void refine(sweep *s, const cone *p, const cone *q, int depth) {
 /// At a piece's end the motion may jump: each piece is swept to just before it.
 static void sweep_pieces(sweep *s) {
     const double to = s->course->to;
-    cone p = look(s, s->course->from);
+    cone p = cone_at(s, s->course->from);
     add(s, &p);
     for (double at = s->course->from; at < to;) {
         const double piece_end = bmr_course_piece_end(s->course, at);
-        const cone q = look(s, piece_end < to ? nextafter(piece_end, at) : to);
+        const cone q = cone_at(s, piece_end < to ? nextafter(piece_end, at) : to);
         if (q.time > p.time)
             refine(s, &p, &q, MAX_DEPTH);
         if (piece_end < to) {
-            p = look(s, piece_end);
+            p = cone_at(s, piece_end);
             add(s, &p);
         }
         at = piece_end;
@@ -210,9 +210,9 @@ static void sweep_pieces(sweep *s) {
 }
 
 bmr_error bmr_offline_optimum(const bmr_course *course, double margin, double resolution,
-                              bmr_cover_line *lines, size_t room, bmr_optimum *optimum) {
+                              bmr_cover_line *lines, size_t capacity, bmr_optimum *optimum) {
     if (!course || !optimum || !course->polygons[0] || !course->polygons[1] || !course->motions[0] ||
-        !course->motions[1] || (room > 0 && !lines))
+        !course->motions[1] || (capacity > 0 && !lines))
         return BMR_ERROR_NULL_ARGUMENT;
     if (!bmr_course_is_valid(course) || !(margin > 0.0) || !(resolution > 0.0) || !(resolution <= 0.25))
         return BMR_ERROR_OUT_OF_RANGE;
@@ -235,10 +235,10 @@ bmr_error bmr_offline_optimum(const bmr_course *course, double margin, double re
     s.most_loss = LOSS_PART * resolution * fmax(least / s.size, LEAST_DISTANCE);
     s.found.joined = true;
     s.found.lines = lines;
-    s.found.room = room;
+    s.found.capacity = capacity;
     sweep_pieces(&s);
     const running last[2] = {s.found.frames[0], s.found.frames[1]};
-    end(&s.found, last, s.found.before.time);
+    close_certificate(&s.found, last, s.found.before.time);
     *optimum = (bmr_optimum){s.least.count, s.found.count, s.samples, s.contacts};
     return BMR_OK;
 }

@@ -71,27 +71,27 @@ static void coarsen(bmr_walk *walk, const bmr_candidate *candidate) {
     --walk->level;
 }
 
-/// What the walk looks at from where it stands, all in A's frame.
-typedef struct outlook {
+/// The corners where the walk stands and the next edges, all in A's frame.
+typedef struct surroundings {
     bmr_vec2 point[2];  ///< of the corners
     bmr_edge edge[2];   ///< the next edge of either body when the direction turns on
     bmr_vec2 normal[2]; ///< the directions in which these are reached
-} outlook;
+} surroundings;
 
-static void look_ahead(const bmr_walk *walk, outlook *o, int side, int sense) {
+static void see_next_edge(const bmr_walk *walk, surroundings *o, int side, int sense) {
     o->edge[side] = sense > 0 ? walk->corner[side].after : walk->corner[side].before;
     o->normal[side] = normal_of(walk, side, o->edge[side]);
 }
 
 /// The vector from A's corner to B's: F is its product with the direction, and uphill is the side it points
 /// to.
-static inline bmr_vec2 apart(const outlook *o) {
+static inline bmr_vec2 apart(const surroundings *o) {
     return bmr_sub(o->point[1], o->point[0]);
 }
 
 /// The first candidate that is met when the direction turns in `sense`: the end of the stretch of directions
 /// that have the corners of the walk for their extremes.
-static bmr_candidate next_candidate(const bmr_walk *walk, const outlook *o, int sense) {
+static bmr_candidate next_candidate(const bmr_walk *walk, const surroundings *o, int sense) {
     // Both are within a right angle ahead (or behind by rounding, which counts as here).
     const int side = bmr_cross(o->normal[0], o->normal[1]) * sense >= 0.0 ? 0 : 1;
     const bmr_candidate c = {bmr_dot(o->normal[side], apart(o)),
@@ -103,7 +103,7 @@ static bmr_candidate next_candidate(const bmr_walk *walk, const outlook *o, int 
 }
 
 /// Passes a candidate: its owner's corner is now the edge's other end.
-static void pass(bmr_walk *walk, outlook *o, int side, int sense) {
+static void pass(bmr_walk *walk, surroundings *o, int side, int sense) {
     const bmr_hierarchy *h = walk->hierarchies[side];
     const uint32_t level = bmr_walk_side_level(h, walk->level);
     walk->corner[side] = sense > 0 ? bmr_tree_corner_after(h, o->edge[side], level, &walk->steps)
@@ -113,23 +113,23 @@ static void pass(bmr_walk *walk, outlook *o, int side, int sense) {
 }
 
 /// The candidate behind the first stretch, as seen from the corners where the walk began.
-static bmr_candidate behind(bmr_walk start, const outlook *first, int sense) {
-    outlook o = *first;
+static bmr_candidate behind(bmr_walk start, const surroundings *first, int sense) {
+    surroundings o = *first;
     for (int side = 0; side < 2; ++side)
-        look_ahead(&start, &o, side, -sense);
+        see_next_edge(&start, &o, side, -sense);
     return next_candidate(&start, &o, -sense);
 }
 
 /// bmr_walk_climb, but it ends at the first candidate of a larger gap than `enough`.
 static bool climb_until(bmr_walk *walk, double enough, bmr_candidate *best) {
     const bmr_walk start = *walk;
-    outlook o;
+    surroundings o;
     for (int side = 0; side < 2; ++side)
         o.point[side] = bmr_walk_point(walk, side, walk->corner[side]);
     const int sense = bmr_cross(walk->direction, apart(&o)) > 0.0 ? 1 : -1;
     for (int side = 0; side < 2; ++side)
-        look_ahead(walk, &o, side, sense);
-    const outlook first = o;
+        see_next_edge(walk, &o, side, sense);
+    const surroundings first = o;
     best->gap = -INFINITY;
     for (int i = 0; i < BMR_WALK_STEPS; ++i) {
         const bmr_candidate ahead = next_candidate(walk, &o, sense);
@@ -146,7 +146,7 @@ static bool climb_until(bmr_walk *walk, double enough, bmr_candidate *best) {
                 *best = other;
             return true;
         }
-        look_ahead(walk, &o, ahead.owner, sense);
+        see_next_edge(walk, &o, ahead.owner, sense);
     }
     return false;
 }

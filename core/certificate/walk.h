@@ -46,8 +46,8 @@ void bmr_walk_refine(bmr_walk *walk);
 /// than sqrt(2) times the candidate's gap. O(steps), at most BMR_WALK_STEPS.
 bool bmr_walk_climb(bmr_walk *walk, bmr_candidate *best);
 
-/// More steps than this cost more than a start from the closest direction does. Between two looks of a motion
-/// that is sampled finely, a walk has one or two.
+/// More steps than this cost more than a start from the closest direction does. Between two samples of a
+/// motion that is sampled finely, a walk has one or two.
 #define BMR_WALK_STEPS 32
 
 /// A coarser proof (disks instead of a line, a coarser envelope) replaces a finer one only if its gap beyond

@@ -111,8 +111,8 @@ static bmr_vec32 between(const bmr_convex32 *a, const bmr_transform32 *pose_a, c
 }
 
 /// Two more directions: along the line between the two vertices, which is right where they are the closest
-/// ones, and across the line between what the two looks found, which is right where that is part of an edge,
-/// or nearly so.
+/// ones, and across the line between what the two directions found, which is right where that is part of an
+/// edge, or nearly so.
 static bool apart_otherwise(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
                             const bmr_transform32 *pose_b, float reach, bmr_convex32_memory *memory,
                             const gap *first) {
@@ -120,7 +120,7 @@ static bool apart_otherwise(const bmr_convex32 *a, const bmr_transform32 *pose_a
     bmr_vec32 way = first_way, axis = first_way;
     float most = first->certain;
     gap last = *first;
-    for (int looks = 0; looks < 2 && dot(way, way) > reach * reach; ++looks) {
+    for (int tried = 0; tried < 2 && dot(way, way) > reach * reach; ++tried) {
         bmr_convex32_memory turned;
         remember_axis(&turned, direction(axis));
         last = gap_along(a, pose_a, b, pose_b, remembered_axis(&turned), last.vertex_a, last.vertex_b);

@@ -30,8 +30,8 @@ float bmr_convex32_max_separation(const bmr_convex32 *reference, const bmr_conve
                                   const bmr_transform32 *frame, uint32_t edge_hint, uint32_t *edge,
                                   uint32_t *other_vertex);
 
-/// Certainly farther apart than `reach` (>= 0, length units)? A quick look along the remembered direction,
-/// and two more at most where that says nothing. True is certain, rounding included, whatever the memory
+/// Certainly farther apart than `reach` (>= 0, length units)? Tries the remembered direction, and
+/// two more at most where that says nothing. True is certain, rounding included, whatever the memory
 /// holds: of the poses as they stand in floats, and of polygons that are exactly convex. False says nothing.
 /// Moves the memory.
 bool bmr_convex32_apart(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,

@@ -9,7 +9,7 @@
 #include "convex32/convex32.h"
 
 /// @file
-/// Directions, their buckets, and how far floats can be trusted: what this room's files share.
+/// Directions, their buckets, and how far floats can be trusted: what this folder's files share.
 ///
 /// The pseudo-angle of a direction runs from 0 at (0, -1) counter-clockwise to 4: 1 + y / (|x| + |y|) on the
 /// right, 3 - y / (|x| + |y|) on the left. Each of its halves is a multiple of 45 degrees, so with at least 8

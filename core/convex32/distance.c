@@ -302,7 +302,7 @@ bool bmr_convex32_cast(const bmr_proxy32 *a, const bmr_transform32 *pose_a, cons
     return true;
 }
 
-// At most so many times one direction is asked before the closest points are looked for again, and at most so
+// At most so many times one direction is tried before the closest points are found again, and at most so
 // many directions there are. Box2D's own search has 20; this one usually takes three. Sides that turn by
 // radians next to each other need more: after FEW_DIRECTIONS that stand still, directions that turn are
 // tried, too.
@@ -316,13 +316,13 @@ typedef struct moving {
     double lever; ///< no vertex is farther from the centre
 } moving;
 
-typedef struct question {
+typedef struct sweeps {
     moving a, b;
     double target, tolerance;
     double rounding; ///< of what is found along a direction
     double far;      ///< the centres are never farther apart
     double speed;    ///< of one centre as the other sees it
-} question;
+} sweeps;
 
 /// A direction that turns evenly, or stands still.
 typedef struct axis {
@@ -371,7 +371,7 @@ static double bend_of(const moving *m, double turn) {
 /// A direction n at a time, with the bend of what lies between the shapes along it. The centres are D + t V
 /// apart. Along a direction that stands still that adds no bend. Along one that turns at the rate w the
 /// second derivative of n (D + t V) is -w^2 n (D + t V) + 2 w V n', n' a quarter turn from n.
-static axis axis_at(const question *q, bmr_vec2 n, double since, double turn) {
+static axis axis_at(const sweeps *q, bmr_vec2 n, double since, double turn) {
     const double centers = turn != 0.0 ? turn * turn * q->far + 2.0 * fabs(turn) * q->speed : 0.0;
     const axis along = {n, since, turn, bend_of(&q->a, turn) + bend_of(&q->b, turn) + centers};
     return along;
@@ -385,7 +385,7 @@ static bmr_vec2 direction_at(const axis *along, double t) {
     return bmr_rotate(&turned, along->n);
 }
 
-static moment look(const question *q, const axis *along, double t, double distance) {
+static moment moment_at(const sweeps *q, const axis *along, double t, double distance) {
     const posed32 a = at(&q->a, t), b = at(&q->b, t);
     const moment m = {t, posed32_beyond(&a, &b, direction_at(along, t)) - q->rounding - distance};
     return m;
@@ -409,9 +409,9 @@ static double certain_part(const axis *along, double gap) {
     return bulge > 0.0 ? sqrt(gap / bulge) : HUGE_VAL;
 }
 
-/// When to look next: where the gap is about a quarter of the tolerance, by false position and bisection in
+/// When to test next: where the gap is about a quarter of the tolerance, by false position and bisection in
 /// turns (`turn`), but no later than what is certain to hold.
-static double next_time(const question *q, const axis *along, moment proved, moment beyond, int turn) {
+static double next_time(const sweeps *q, const axis *along, moment proved, moment beyond, int turn) {
     double part = 0.5 * (beyond.t - proved.t);
     if (beyond.gap < 0.0 && turn % 2 == 0)
         part *= 2.0 * (proved.gap - 0.25 * q->tolerance) / (proved.gap - beyond.gap);
@@ -420,11 +420,11 @@ static double next_time(const question *q, const axis *along, moment proved, mom
 
 /// The last moment found up to which the direction keeps the shapes farther apart than the target. It has
 /// less gap than half the tolerance left, or ends at t_max, or was hard to find.
-static moment advance(const question *q, const axis *along, double t, double t_max) {
-    moment proved = look(q, along, t, q->target), beyond = {t_max, 0.0};
+static moment advance(const sweeps *q, const axis *along, double t, double t_max) {
+    moment proved = moment_at(q, along, t, q->target), beyond = {t_max, 0.0};
     double next = t_max;
     for (int i = 0; i < MOST_TIMES && proved.gap > 0.25 * q->tolerance && next > proved.t; ++i) {
-        const moment m = look(q, along, next, q->target);
+        const moment m = moment_at(q, along, next, q->target);
         if (!holds_between(along, proved, m)) {
             beyond = m;
         } else {
@@ -439,23 +439,23 @@ static moment advance(const question *q, const axis *along, double t, double t_m
 
 /// The same, of directions that turn with either shape. Where a vertex slides along a side that turns, one
 /// that stands still soon has the side's far end before it and is left; the side's own normal is not.
-static moment advance_turning(const question *q, bmr_vec2 n, double t, double t_max) {
+static moment advance_turning(const sweeps *q, bmr_vec2 n, double t, double t_max) {
     const axis with_a = axis_at(q, n, t, q->a.turn), with_b = axis_at(q, n, t, q->b.turn);
     const moment of_a = advance(q, &with_a, t, t_max), of_b = advance(q, &with_b, t, t_max);
     return of_a.t >= of_b.t ? of_a : of_b;
 }
 
 /// The direction that was good for another motion.
-static bool keeps_apart(const question *q, bmr_vec32 direction, double t_max) {
+static bool keeps_apart(const sweeps *q, bmr_vec32 direction, double t_max) {
     if (direction.x == 0.0f && direction.y == 0.0f)
         return false;
     const axis along = axis_at(q, convex32_wide(direction), 0.0, 0.0);
     const double distance = q->target + q->tolerance + q->rounding;
-    const moment first = look(q, &along, 0.0, distance);
-    return first.gap >= 0.0 && holds_between(&along, first, look(q, &along, t_max, distance));
+    const moment first = moment_at(q, &along, 0.0, distance);
+    return first.gap >= 0.0 && holds_between(&along, first, moment_at(q, &along, t_max, distance));
 }
 
-static bmr_impact32 search(const question *q, double t_max, bmr_vec32 *direction, double *t) {
+static bmr_impact32 search(const sweeps *q, double t_max, bmr_vec32 *direction, double *t) {
     bmr_closest32 closest = {0, 0};
     for (int i = 0; i < MOST_DIRECTIONS; ++i) {
         const posed32 a = at(&q->a, *t), b = at(&q->b, *t);
@@ -493,7 +493,7 @@ bmr_impact32 bmr_convex32_impact(const bmr_proxy32 *a, const bmr_sweep32 *sweep_
                                  bmr_vec32 *direction, float *t) {
     const double slop = (double)linear_slop;
     const double target = (double)a->radius + (double)b->radius - 3.0 * slop;
-    question q = {.a = move(a, sweep_a), .b = move(b, sweep_b)};
+    sweeps q = {.a = move(a, sweep_a), .b = move(b, sweep_b)};
     q.target = target > slop ? target : slop;
     q.tolerance = 0.25 * slop;
     q.rounding = SUPPORT_ROUNDING * ((double)a->reach + (double)b->reach);

@@ -45,7 +45,7 @@ void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t v
                        edge_found *found);
 
 /// One edge, as the search sees it.
-edge_view bmr_convex32_look(const edge_search *search, uint32_t edge, uint32_t vertex_hint);
+edge_view bmr_convex32_view(const edge_search *search, uint32_t edge, uint32_t vertex_hint);
 
 static inline edge_search edge_search_of(const bmr_convex32 *reference, const bmr_convex32 *other,
                                          bmr_transform32 frame, float tolerance) {

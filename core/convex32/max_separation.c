@@ -25,8 +25,8 @@ static const float noise_of_size = 0x1p-21f;
 /// is left is 3 halves of units of the difference.
 static const float noise_of_product = 0x1p-22f;
 
-/// Looks at edges around the hint before the search is given to branch and bound.
-enum { NEAR_LOOKS = 12 };
+/// Edges around the hint that are tried before the search is given to branch and bound.
+enum { NEAR_EDGES = 12 };
 
 /// Arcs are split where their bound is until this depth, and in the middle below, so that they end.
 enum { GUIDED_SPLITS = 24, MOST_ARCS = GUIDED_SPLITS + 16 + 4 };
@@ -119,7 +119,7 @@ static inline least least_separated(const bmr_convex32 *other, bmr_vec32 normal,
     return least_around(other, normal, place, farthest32(other, negative(normal), at));
 }
 
-edge_view bmr_convex32_look(const edge_search *search, uint32_t edge, uint32_t vertex_hint) {
+edge_view bmr_convex32_view(const edge_search *search, uint32_t edge, uint32_t vertex_hint) {
     edge_view view;
     view.edge = edge;
     view.normal = turn(&search->frame, search->reference->normals[edge]);
@@ -276,7 +276,7 @@ static void split(branches *b) {
         return;
     const edge_search *const search = b->search;
     const uint32_t edge = inner_edge(search->reference, &a, turn_back(&search->frame, a.direction));
-    const edge_view middle = bmr_convex32_look(search, edge, a.from.vertex);
+    const edge_view middle = bmr_convex32_view(search, edge, a.from.vertex);
     if (better(&middle, &b->found->best))
         b->found->best = middle;
     add_arc(b, &a.from, &middle, a.depth + 1);
@@ -301,12 +301,12 @@ static void search_arcs(const edge_search *search, const edge_view *low, const e
         along = inside / 2;
     edge_view left = *high, right = *low;
     if (along > 0) {
-        left = bmr_convex32_look(search, (first + along - 1) % count, high->vertex);
+        left = bmr_convex32_view(search, (first + along - 1) % count, high->vertex);
         if (better(&left, &found->best))
             found->best = left;
     }
     if (along < inside) {
-        right = bmr_convex32_look(search, (first + along) % count, left.vertex);
+        right = bmr_convex32_view(search, (first + along) % count, left.vertex);
         if (better(&right, &found->best))
             found->best = right;
     }
@@ -378,16 +378,16 @@ void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t v
     const bmr_convex32 *const reference = search->reference;
     const uint32_t count = reference->count;
     edge_view *const best = &found->best;
-    *best = bmr_convex32_look(search, edge_hint < count ? edge_hint : 0, vertex_hint);
+    *best = bmr_convex32_view(search, edge_hint < count ? edge_hint : 0, vertex_hint);
     found->rest = -FLT_MAX;
     edge_view high = *best, low = *best;
     beyond above = beyond_high(search, &high), below = beyond_low(search, &low);
     // Uphill and past ties, on both sides.
-    for (uint32_t looks = 0; looks < NEAR_LOOKS && steps32(high.edge, low.edge, count) != 1; ++looks) {
+    for (uint32_t tried = 0; tried < NEAR_EDGES && steps32(high.edge, low.edge, count) != 1; ++tried) {
         const float close = best->separation - best->noise;
         if (above.next >= close) {
             const edge_view next =
-                bmr_convex32_look(search, convex32_next(reference, high.edge), high.vertex);
+                bmr_convex32_view(search, convex32_next(reference, high.edge), high.vertex);
             raise_rest(search, &high, &next, above.between, found);
             high = next;
             above = beyond_high(search, &high);
@@ -395,7 +395,7 @@ void bmr_convex32_seek(const edge_search *search, uint32_t edge_hint, uint32_t v
                 *best = high;
         } else if (below.next >= close) {
             const edge_view last =
-                bmr_convex32_look(search, convex32_previous(reference, low.edge), low.vertex);
+                bmr_convex32_view(search, convex32_previous(reference, low.edge), low.vertex);
             raise_rest(search, &last, &low, below.between, found);
             low = last;
             below = beyond_low(search, &low);

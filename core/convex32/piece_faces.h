@@ -83,7 +83,7 @@ static inline candidate best_face(const edge_search *search, const edge_view *be
     for (uint32_t i = 0; i < search->reference->count; ++i) {
         if (!is_face(search->reference, i))
             continue;
-        const edge_view view = bmr_convex32_look(search, i, hint);
+        const edge_view view = bmr_convex32_view(search, i, hint);
         hint = view.vertex;
         if ((c.found && !(view.separation > c.view.separation)) || !is_admitted(search, &view, tolerance))
             continue;

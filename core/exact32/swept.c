@@ -131,17 +131,17 @@ void bmr_swept32_make(bmr_swept32 *shape, const bmr_vec32 *points, int32_t count
 }
 
 /// What is the same for all directions.
-typedef struct question {
+typedef struct sweeps {
     const bmr_swept32 *a, *b;
     bmr_vec32 between; ///< from a's centre to b's, at the end
     bmr_vec32 back;    ///< how much more that is at the start
     float apart;       ///< asked for
     float swing;       ///< how far turning may bring points closer, at most
-} question;
+} sweeps;
 
 /// By how much b was closer to a along n at the start than at the end, as far as the centres' motion goes, as
 /// a negative number; 0 if it was not. A NaN stays a NaN.
-static float slide(const question *q, bmr_vec32 n) {
+static float slide(const sweeps *q, bmr_vec32 n) {
     const float s = dot(n, q->back);
     return s > 0.0f ? 0.0f : s;
 }
@@ -160,7 +160,7 @@ static void go_back(const bmr_swept32 *shape, bmr_swept32 *start) {
 /// Does the direction separate by more than is needed at both ends of the motion? A point that turns lies at
 /// most the height of its arc nearer in between than at both ends, radius times the square of the turn over
 /// eight. That is far less than the length of the arc.
-static bool apart_at_both_ends(const question *q, bmr_vec32 n, float at_end) {
+static bool apart_at_both_ends(const sweeps *q, bmr_vec32 n, float at_end) {
     const float ta = q->a->turn, tb = q->b->turn;
     if (!(fabsf(ta) <= most_turn) || !(fabsf(tb) <= most_turn))
         return false;
@@ -175,7 +175,7 @@ static bool apart_at_both_ends(const question *q, bmr_vec32 n, float at_end) {
 
 /// Does the direction keep the two apart during all of the motion? *found: how far apart they would stay
 /// along it if nothing turned.
-static inline bool keeps_apart(const question *q, bmr_vec32 n, float *found) {
+static inline bool keeps_apart(const sweeps *q, bmr_vec32 n, float *found) {
     const float at_end = dot(n, q->between) + gap(q->a, q->b, n);
     *found = at_end + slide(q, n);
     return *found - q->swing > q->apart || (q->swing > 0.0f && apart_at_both_ends(q, n, at_end));
@@ -188,7 +188,7 @@ static float4 both_ways(bmr_vec32 v) {
 
 /// The same for the two axes and their opposites at once. Most shapes that are near each other and do not
 /// meet are told apart by one of them.
-static bool axis_keeps_apart(const question *q, bmr_vec32 *axis) {
+static bool axis_keeps_apart(const sweeps *q, bmr_vec32 *axis) {
     static const bmr_vec32 axes[4] = {{1.0f, 0.0f}, {-1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, -1.0f}};
     const float4 gap = add4(load4(q->b->least), swap4(load4(q->a->least)));
     const float4 slides = min4(zero4(), both_ways(q->back)); // a NaN stays one
@@ -214,7 +214,7 @@ static bmr_vec32 closest_on_segment(bmr_vec32 p, bmr_vec32 q) {
 }
 
 /// The vertex of the difference b - a, swept along the motion of the centres, that is least along n.
-static bmr_vec32 support(const question *q, bmr_vec32 n) {
+static bmr_vec32 support(const sweeps *q, bmr_vec32 n) {
     const bmr_vec32 back = {-n.x, -n.y};
     const bmr_vec32 pa = farthest(q->a, n), pb = farthest(q->b, back);
     const bool at_start = dot(n, q->back) < 0.0f;
@@ -225,7 +225,7 @@ static bmr_vec32 support(const question *q, bmr_vec32 n) {
 
 /// Searches for the point of the swept difference b - a that is nearest to the origin. Ends as soon as a
 /// direction keeps the two apart, or two of their points are so near that none can.
-static bool search(const question *q, bmr_vec32 n, bmr_vec32 *direction) {
+static bool search(const sweeps *q, bmr_vec32 n, bmr_vec32 *direction) {
     if (!(q->swing <= FLT_MAX)) // a radius is infinite; the supports below would pass a NaN over
         return false;
     bmr_vec32 kept = support(q, n), other = kept, closest = kept;
@@ -260,7 +260,7 @@ static bool search(const question *q, bmr_vec32 n, bmr_vec32 *direction) {
 }
 
 /// From somewhere within a to somewhere within b, at the end: the centres of motion may be far outside.
-static bmr_vec32 between_middles(const question *q) {
+static bmr_vec32 between_middles(const sweeps *q) {
     bmr_vec32 r = q->between;
     for (int i = 0; i < 4; ++i) {
         r.x += 0.25f * (q->b->x[i] - q->a->x[i]);
@@ -269,8 +269,8 @@ static bmr_vec32 between_middles(const question *q) {
     return r;
 }
 
-static question ask(const bmr_swept32 *a, const bmr_swept32 *b, float apart) {
-    question q;
+static sweeps sweeps_of(const bmr_swept32 *a, const bmr_swept32 *b, float apart) {
+    sweeps q;
     q.a = a;
     q.b = b;
     q.between = minus(b->end, a->end);
@@ -281,13 +281,13 @@ static question ask(const bmr_swept32 *a, const bmr_swept32 *b, float apart) {
 }
 
 bool bmr_swept32_apart_along(const bmr_swept32 *a, const bmr_swept32 *b, float apart, bmr_vec32 direction) {
-    const question q = ask(a, b, apart);
+    const sweeps q = sweeps_of(a, b, apart);
     float found;
     return keeps_apart(&q, direction, &found);
 }
 
 bool bmr_swept32_find_apart(const bmr_swept32 *a, const bmr_swept32 *b, float apart, bmr_vec32 *direction) {
-    const question q = ask(a, b, apart);
+    const sweeps q = sweeps_of(a, b, apart);
     const bmr_vec32 hint = *direction;
     const bool hinted = dot(hint, hint) > 0.0f;
     float found;

@@ -30,7 +30,7 @@ int main(void) {
     require(bmr_penetration(polygon, &here, polygon, &near, &overlap));
     printf("%.3f deep, out along (%.2f, %.2f)\n", overlap.depth, overlap.normal.x, overlap.normal.y);
 
-    // Ten in a row, and a pair of every two neighbours. After its first advance a pair is looked at, and
+    // Ten in a row, and a pair of every two neighbours. After its first advance a pair is checked, and
     // advanced again only where its proof no longer holds.
     bmr_pose poses[10];
     bmr_pair pairs[9];
@@ -51,7 +51,7 @@ int main(void) {
             ++count;
             bmr_pair_advance(&pairs[i], &def, &shape, &shape, &b_in_a, NULL, NULL);
         }
-        printf("step %d: %d of 9 pairs to be looked into\n", step, count);
+        printf("step %d: %d of 9 pairs to be advanced\n", step, count);
         poses[4].position.x += 0.7; // one of them moves
     }
     bmr_polygon_destroy(polygon, NULL);

@@ -68,9 +68,9 @@ bmr_simplex bmr_simplex_make(uint32_t a, uint32_t b) {
 //   is ahead of w begins within a right angle of y on the side that G tells, and on the other side only
 //   beyond one.
 //
-// So one or two looks leave an arc of at most a right angle that holds u, and one chain of each polygon's
-// edges whose normals are in it. The middle edges of both chains then decide about half of one of them,
-// though the search has neither q at A's middle normal nor p at B's: see `halve`.
+// So one or two directions leave an arc of at most a right angle that holds u, and one chain of each
+// polygon's edges whose normals are in it. The middle edges of both chains then decide about half of one of
+// them, though the search has neither q at A's middle normal nor p at B's: see `halve`.
 
 /// An arc of less than this (radians) has no edge's normal in it that rounding could tell from its ends.
 #define LEAST_ARC 1e-14
@@ -169,7 +169,7 @@ static bool halve(search *s) {
 }
 
 /// The support vertices in a direction (from A to B), near those known, and the vector between them.
-static bmr_vec2 look(search *s, bmr_vec2 direction, uint32_t at[2]) {
+static bmr_vec2 move_supports(search *s, bmr_vec2 direction, uint32_t at[2]) {
     const chain *c = s->chains;
     at[0] = bmr_support_near(c[0].polygon, direction, at[0], &s->steps);
     at[1] = bmr_support_near(c[1].polygon, bmr_unrotate(c[1].pose, bmr_neg(direction)), at[1], &s->steps);
@@ -178,7 +178,7 @@ static bmr_vec2 look(search *s, bmr_vec2 direction, uint32_t at[2]) {
 }
 
 /// The same from nowhere near.
-static void look_afar(search *s, bmr_vec2 direction, uint32_t at[2]) {
+static void set_supports(search *s, bmr_vec2 direction, uint32_t at[2]) {
     const chain *c = s->chains;
     at[0] = bmr_support_counted(c[0].polygon, direction, &s->steps);
     at[1] = bmr_support_counted(c[1].polygon, bmr_unrotate(c[1].pose, bmr_neg(direction)), &s->steps);
@@ -210,7 +210,7 @@ static void arc_from(search *s, bmr_vec2 y, bmr_vec2 w, const uint32_t at[2]) {
         end = bmr_scale(sense, bmr_left(y));
     uint32_t other[2] = {at[0], at[1]};
     if (sense * bmr_cross(y, end) > LEAST_ARC)
-        look_afar(s, end, other);
+        set_supports(s, end, other);
     set_arc(s, sense > 0 ? at : other, sense > 0 ? other : at, sense > 0 ? end : y);
 }
 
@@ -218,7 +218,7 @@ static void arc_from(search *s, bmr_vec2 y, bmr_vec2 w, const uint32_t at[2]) {
 static bool find_arc(search *s, bmr_vec2 y, uint32_t at[2]) {
     // Where y does not separate, u is ahead of w. Where w does not separate either, u is ahead of the next w
     // too: what is ahead of both is no more than a right angle, and its middle is within half of one of u.
-    bmr_vec2 w = look(s, y, at);
+    bmr_vec2 w = move_supports(s, y, at);
     if (bmr_dot(y, w) > 0.0) {
         arc_from(s, y, w, at);
         return true;
@@ -227,7 +227,7 @@ static bool find_arc(search *s, bmr_vec2 y, uint32_t at[2]) {
     if (!(length > 0.0))
         return false;
     const bmr_vec2 ahead = bmr_scale(1.0 / length, w);
-    w = look(s, ahead, at);
+    w = move_supports(s, ahead, at);
     if (bmr_dot(ahead, w) > 0.0) {
         arc_from(s, ahead, w, at);
         return true;
@@ -239,8 +239,8 @@ static bool find_arc(search *s, bmr_vec2 y, uint32_t at[2]) {
         return false;
     const bmr_vec2 far = bmr_scale(sense, bmr_left(ahead)), near = bmr_scale(-sense / length, bmr_left(w));
     uint32_t low[2] = {at[0], at[1]}, high[2] = {at[0], at[1]};
-    look_afar(s, sense > 0 ? near : far, low);
-    look_afar(s, sense > 0 ? far : near, high);
+    set_supports(s, sense > 0 ? near : far, low);
+    set_supports(s, sense > 0 ? far : near, high);
     set_arc(s, low, high, sense > 0 ? far : near);
     return true;
 }

@@ -40,7 +40,7 @@ typedef struct held_cell {
     bmr_mixed mixed;       ///< at the rotation of the last event, a little ahead
     bmr_pose displacement; ///< of B in its own frame
     double scale;          ///< the extents
-    double room;           ///< how far B's points are from where the displacement has them, at most
+    double spread;         ///< how far B's points are from where the displacement has them, at most
     bmr_mixed_cell cell;   ///< a cell, or an edge of M_0
 } held_cell;
 
@@ -65,8 +65,8 @@ static held_cell held_make(const bmr_kds *kds) {
     held.scale = fmax(kds->shapes[0].polygon->extent + extent_b, kds->def.margin);
     const double way = DISPLACEMENT * held.scale;
     held.displacement.position = bmr_vec2_make(way * DISPLACEMENT_X, way * DISPLACEMENT_Y);
-    held.room = way + DISPLACEMENT * 1.5 * extent_b; // a corner of the square is sqrt(2) extents away
-    const double apart = kds->def.margin + 2.0 * held.room + 2.0 * HELD_SLACK * held.scale;
+    held.spread = way + DISPLACEMENT * 1.5 * extent_b; // a corner of the square is sqrt(2) extents away
+    const double apart = kds->def.margin + 2.0 * held.spread + 2.0 * HELD_SLACK * held.scale;
     held.mixed = bmr_mixed_make(bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1), 1.0, 0.0, 0.5 * apart);
     return held;
 }
@@ -154,7 +154,7 @@ static void held_proof(const held_cell *held, bmr_kds_proof *out) {
         bmr_hierarchy_corner_point(other, bmr_hierarchy_corner(other, orders[0].first, orders[1].second));
     if (owner == 1) { // the line has B's displacement: out until all of B itself is behind it
         out->line.normal = bmr_rotate(&held->displacement, out->line.normal);
-        out->line.offset += bmr_dot(out->line.normal, held->displacement.position) + held->room;
+        out->line.offset += bmr_dot(out->line.normal, held->displacement.position) + held->spread;
     }
     out->level = held_level(held);
 }
@@ -183,10 +183,10 @@ static bmr_error held_audit(const held_cell *held, const bmr_pose *b_in_a) {
     return held_is_cell(held) && !is_of_its_stage(held) ? BMR_ERROR_INVALID_STRUCTURE : BMR_OK;
 }
 
-/// A repair does not look at the pose of the event, where the failed condition is zero up to rounding, but at
+/// A repair does not use the pose of the event, where the failed condition is zero up to rounding, but at
 /// one a little later: the bodies have moved on by this part of the extents. That is far above rounding
 /// (1e-15), and far below what the offset of the lines allows (HELD_SLACK). Where the failure was found
-/// early, it looks on to the failure itself, but never farther than HELD_SLACK.
+/// early, that is the failure itself, but never farther than HELD_SLACK.
 #define AHEAD 1e-12
 /// If the pair turns at all, it has turned by this angle (radians) at least.
 #define AHEAD_ANGLE 1e-14
@@ -252,7 +252,7 @@ static bool same_line(const cell_state *a, const cell_state *b) {
 
 /// B's pose a little after `now`; that of `now` where the rates are unknown. If the failed condition is still
 /// positive and falls, that is after it has come to zero, where this is near enough.
-static bmr_pose look_ahead(const cell_state *s, const bmr_instant *now, const bmr_condition *failed) {
+static bmr_pose pose_ahead(const cell_state *s, const bmr_instant *now, const bmr_condition *failed) {
     const double speed = hypot(now->velocity.x, now->velocity.y) + fabs(now->spin) * s->held.scale;
     double time = speed > 0.0 ? AHEAD * s->held.scale / speed : 0.0;
     if (failed && speed > 0.0) {
@@ -436,7 +436,7 @@ static void set_rotation(bmr_kds *kds, const bmr_pose *ahead) {
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
     cell_state *s = state_of(kds);
     s->held.mixed.steps = kds->steps;
-    const bmr_pose ahead = look_ahead(s, now, NULL), q = held_displaced(&s->held, &ahead);
+    const bmr_pose ahead = pose_ahead(s, now, NULL), q = held_displaced(&s->held, &ahead);
     set_rotation(kds, &q);
     const bool apart = find_by_closest(kds, NULL, now, q.position, &report->touched);
     if (apart)
@@ -483,9 +483,9 @@ static bool mend(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_re
     const size_t count = conditions(kds, held);
     if (!(failed < count))
         failed = 0;
-    const bmr_pose ahead = look_ahead(s, now, &held[failed]);
+    const bmr_pose ahead = pose_ahead(s, now, &held[failed]);
     // If it is positive a little ahead, the repair was called too early, or the failure lasts for less than
-    // the look ahead.
+    // the step ahead.
     const bool heals = bmr_condition_value(&held[failed], &ahead) > 0.0;
     if (heals && !fails_now(s, &held[failed], now, &ahead))
         return true;

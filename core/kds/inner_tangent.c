@@ -198,7 +198,7 @@ static bool find_tangent(const bmr_kds *kds, const bmr_instant *now, uint32_t ve
     return walk(kds, now, vertex, touched);
 }
 
-/// A tangent from nothing, or the closest features where there is room for those only.
+/// A tangent from nothing, or the closest features where only those fit.
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
     inner_tangent *s = state_of(kds);
     bmr_vec2 u;
@@ -208,8 +208,8 @@ static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) 
     if (!bmr_kds_closest(kds, &now->pose, &vertex[0], &vertex[1], &u, &distance))
         return false;
     ++report->touched;
-    const bool room = s->thick >= 0 && bmr_dot(u, across(kds, &now->pose, vertex)) > 0.0;
-    s->by_features = !room || !find_tangent(kds, now, vertex, &report->touched);
+    const bool fits = s->thick >= 0 && bmr_dot(u, across(kds, &now->pose, vertex)) > 0.0;
+    s->by_features = !fits || !find_tangent(kds, now, vertex, &report->touched);
     if (s->by_features)
         return bmr_features_start(kds, now, &s->pair, &report->touched);
     s->vertex[0] = vertex[0];

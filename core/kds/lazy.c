@@ -37,10 +37,10 @@ typedef struct lazy_state {
     uint32_t near_a, near_b; ///< where the last distance query ended
 } lazy_state;
 
-static lazy_state *get(bmr_kds *kds) {
+static lazy_state *state_of(bmr_kds *kds) {
     return (lazy_state *)(void *)kds->state;
 }
-static const lazy_state *look(const bmr_kds *kds) {
+static const lazy_state *view(const bmr_kds *kds) {
     return (const lazy_state *)(const void *)kds->state;
 }
 
@@ -60,7 +60,7 @@ static double need(const bmr_kds *kds) {
 }
 
 static bmr_line line_of(const bmr_kds *kds) {
-    const lazy_state *state = look(kds);
+    const lazy_state *state = view(kds);
     return state->at.edge == BMR_NO_EDGE
                ? state->free_line
                : bmr_hierarchy_line(bmr_kds_hierarchy(kds, state->at.owner), state->at.edge);
@@ -71,7 +71,7 @@ static bmr_vec2 turned_by_slack(bmr_vec2 normal, double slack) {
 }
 
 static size_t conditions(const bmr_kds *kds, bmr_condition *k) {
-    const lazy_state *state = look(kds);
+    const lazy_state *state = view(kds);
     const bmr_hierarchy *other = bmr_kds_hierarchy(kds, 1 - state->at.owner);
     const bmr_line line = line_of(kds);
     const bmr_vec2 before = bmr_hierarchy_line(other, state->at.corner.before).normal;
@@ -109,7 +109,7 @@ typedef struct repair {
 /// Makes the certificate of a candidate. False, and nothing is changed: it does not hold by enough.
 static bool certify(void *context, const bmr_candidate *candidate, int level) {
     repair *r = context;
-    lazy_state *state = get(r->kds);
+    lazy_state *state = state_of(r->kds);
     const bmr_lazy_place before = state->at;
     state->at.owner = candidate->owner;
     state->at.edge = candidate->edge;
@@ -122,7 +122,7 @@ static bool certify(void *context, const bmr_candidate *candidate, int level) {
 }
 
 /// The old edge's line is as good as ever with another corner, if it holds: a roll asks for no larger gap.
-static void begin(repair *r, bmr_kds *kds, const bmr_instant *now) {
+static void begin_repair(repair *r, bmr_kds *kds, const bmr_instant *now) {
     const repair begun = {
         kds,
         {.walk = {.hierarchies = {bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1)}, .pose = &now->pose},
@@ -135,7 +135,7 @@ static void begin(repair *r, bmr_kds *kds, const bmr_instant *now) {
 
 /// The closest direction itself. False: contact.
 static bool take_free(repair *r, bmr_vec2 direction) {
-    lazy_state *state = get(r->kds);
+    lazy_state *state = state_of(r->kds);
     const bmr_polygon *a = r->kds->shapes[0].polygon;
     const bmr_hierarchy *b = r->lazy.walk.hierarchies[1];
     const bmr_vec2 against = bmr_unrotate(r->lazy.walk.pose, bmr_neg(direction));
@@ -151,7 +151,7 @@ static bool take_free(repair *r, bmr_vec2 direction) {
 
 /// From the exact closest direction, top down: the coarsest level that separates. False: contact.
 static bool from_closest(repair *r) {
-    lazy_state *state = get(r->kds);
+    lazy_state *state = state_of(r->kds);
     bmr_vec2 direction;
     double distance;
     if (!bmr_kds_closest(r->kds, r->lazy.walk.pose, &state->near_a, &state->near_b, &direction, &distance) ||
@@ -162,17 +162,17 @@ static bool from_closest(repair *r) {
 
 static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) {
     repair r;
-    begin(&r, kds, now);
+    begin_repair(&r, kds, now);
     const bool apart = from_closest(&r);
     bmr_kds_tally(kds, r.lazy.walk.steps);
-    report->level_after = apart ? look(kds)->at.level : 0;
+    report->level_after = apart ? view(kds)->at.level : 0;
     return apart;
 }
 
 /// The free line stays and the nearest corner becomes the one that is extreme now. False: the line does not
 /// hold for it.
 static bool roll_free(repair *r) {
-    lazy_state *state = get(r->kds);
+    lazy_state *state = state_of(r->kds);
     bmr_walk_start(&r->lazy.walk, state->free_line.normal, state->at.level);
     state->at.corner = r->lazy.walk.corner[1];
     return line_holds(r->kds, r->lazy.walk.pose);
@@ -180,7 +180,7 @@ static bool roll_free(repair *r) {
 
 /// Rolls, pushes or stabs, and takes coarser levels. False: contact.
 static bool repair_edge(repair *r, bool turned, bool *rolled) {
-    const bmr_lazy_end end = bmr_lazy_repair(&r->lazy, look(r->kds)->at, turned);
+    const bmr_lazy_end end = bmr_lazy_repair(&r->lazy, view(r->kds)->at, turned);
     *rolled = end == BMR_LAZY_ROLL;
     if (end == BMR_LAZY_NONE)
         return from_closest(r);
@@ -194,8 +194,8 @@ static bool repair_edge(repair *r, bool turned, bool *rolled) {
 static bool repair_pair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr_kds_report *report) {
     (void)failed;
     repair r;
-    begin(&r, kds, now);
-    const lazy_state before = *look(kds);
+    begin_repair(&r, kds, now);
+    const lazy_state before = *view(kds);
     report->level_before = report->level_after = before.at.level;
     const bool turned = !cone_holds(kds, &now->pose);
     if (!turned && line_holds(kds, &now->pose))
@@ -206,7 +206,7 @@ static bool repair_pair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr
     bmr_kds_tally(kds, r.lazy.walk.steps);
     if (!apart)
         return false;
-    const lazy_state *state = look(kds);
+    const lazy_state *state = view(kds);
     report->level_after = state->at.level;
     report->kind = rolled ? BMR_KDS_ROLL : state->at.level > before.at.level ? BMR_KDS_STAB : BMR_KDS_PUSH;
     report->line_changed = state->at.owner != before.at.owner || state->at.edge != before.at.edge ||
@@ -215,7 +215,7 @@ static bool repair_pair(bmr_kds *kds, const bmr_instant *now, size_t failed, bmr
 }
 
 static void proof(const bmr_kds *kds, bmr_kds_proof *proof) {
-    const lazy_state *state = look(kds);
+    const lazy_state *state = view(kds);
     proof->owner = state->at.owner;
     proof->line = line_of(kds);
     proof->nearest =
@@ -225,7 +225,7 @@ static void proof(const bmr_kds *kds, bmr_kds_proof *proof) {
 
 /// The edge and the corner are on the level, and the corner is the extreme one there.
 static bmr_error audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
-    const lazy_state *state = look(kds);
+    const lazy_state *state = view(kds);
     const bmr_hierarchy *other = bmr_kds_hierarchy(kds, 1 - state->at.owner);
     const uint32_t level = bmr_walk_side_level(other, state->at.level);
     const bmr_hierarchy *const hierarchies[2] = {bmr_kds_hierarchy(kds, 0), bmr_kds_hierarchy(kds, 1)};

@@ -18,7 +18,7 @@ bmr_error bmr_point_prepare(bmr_kds *kds) {
 }
 
 bmr_vec2 bmr_point_at(const bmr_kds *kds, const bmr_pose *b_in_a) {
-    return bmr_transform(b_in_a, bmr_point_look(kds)->point);
+    return bmr_transform(b_in_a, bmr_point_view(kds)->point);
 }
 
 double bmr_point_tolerance(const bmr_kds *kds) {
@@ -56,12 +56,12 @@ bool bmr_point_take_free(bmr_kds *kds, const bmr_pose *b_in_a) {
 }
 
 bmr_line bmr_point_line(const bmr_kds *kds) {
-    const bmr_point_state *state = bmr_point_look(kds);
+    const bmr_point_state *state = bmr_point_view(kds);
     return state->edge == BMR_NO_EDGE ? state->free_line : bmr_hierarchy_line(state->hierarchy, state->edge);
 }
 
 int bmr_point_level(const bmr_kds *kds) {
-    const bmr_point_state *state = bmr_point_look(kds);
+    const bmr_point_state *state = bmr_point_view(kds);
     return (int)(state->edge == BMR_NO_EDGE ? bmr_hierarchy_depth(state->hierarchy)
                                             : bmr_hierarchy_level(state->hierarchy, state->edge));
 }
@@ -78,14 +78,14 @@ bool bmr_point_holds(const bmr_kds *kds, bmr_vec2 x) {
 size_t bmr_point_conditions(const bmr_kds *kds, bmr_condition *conditions) {
     const bmr_line line = bmr_point_line(kds);
     conditions[0] =
-        bmr_condition_beyond(0, line.normal, line.offset + kds->def.margin, bmr_point_look(kds)->point, 0);
+        bmr_condition_beyond(0, line.normal, line.offset + kds->def.margin, bmr_point_view(kds)->point, 0);
     return 1;
 }
 
 void bmr_point_proof(const bmr_kds *kds, bmr_kds_proof *proof) {
     const bmr_polygon *a = kds->shapes[0].polygon, *b = kds->shapes[1].polygon;
     const bmr_line line = bmr_point_line(kds);
-    const bmr_vec2 against = bmr_neg(bmr_unrotate(&bmr_point_look(kds)->turned, line.normal));
+    const bmr_vec2 against = bmr_neg(bmr_unrotate(&bmr_point_view(kds)->turned, line.normal));
     proof->owner = 0;
     proof->line.normal = line.normal;
     // Of a sum the line is B's support beyond A's own.

@@ -28,7 +28,7 @@ typedef struct bmr_point_state {
 static inline bmr_point_state *bmr_point_get(bmr_kds *kds) {
     return (bmr_point_state *)(void *)kds->state;
 }
-static inline const bmr_point_state *bmr_point_look(const bmr_kds *kds) {
+static inline const bmr_point_state *bmr_point_view(const bmr_kds *kds) {
     return (const bmr_point_state *)(const void *)kds->state;
 }
 

@@ -38,7 +38,7 @@
 #include "kds/windowed_line.h"
 
 bmr_inflation bmr_point_inflation(const bmr_kds *kds) {
-    const double diameter = bmr_inflation_diameter(bmr_hierarchy_polygon(bmr_point_look(kds)->hierarchy));
+    const double diameter = bmr_inflation_diameter(bmr_hierarchy_polygon(bmr_point_view(kds)->hierarchy));
     return bmr_inflation_make(diameter, kds->def.alpha, kds->def.offset_ratio, kds->def.root_level);
 }
 
@@ -50,7 +50,7 @@ double bmr_point_promised(const bmr_kds *kds, const bmr_inflation *inflation, ui
 /// Section 6, Dudley: an inflated Dudley hierarchy doubles beta.
 /// Lemma 6.1: after an event P moves d/beta before the next, beta = 2 (1 + sqrt 2).
 bmr_level_choice bmr_point_most_slack(bmr_kds *kds, bmr_vec2 x, bmr_vec2 u, unsigned *touched) {
-    const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
+    const bmr_hierarchy *h = bmr_point_view(kds)->hierarchy;
     const bmr_inflation inflation = bmr_point_inflation(kds);
     const uint32_t last = bmr_inflation_last(&inflation, h);
     bmr_level_choice choice = {BMR_NO_EDGE, 0, -INFINITY}, coarsest = choice;
@@ -86,7 +86,7 @@ bool bmr_point_choose_by_slack(bmr_kds *kds, const bmr_pose *b_in_a, unsigned *t
 /// The edge that the old line enters Q'_j through, if that has the point outside.
 static bool enters(const bmr_kds *kds, uint32_t j, bmr_vec2 x, bmr_vec2 direction, bmr_edge *edge,
                    unsigned *touched) {
-    const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
+    const bmr_hierarchy *h = bmr_point_view(kds)->hierarchy;
     const bmr_inflation inflation = bmr_point_inflation(kds);
     const double promised = bmr_point_promised(kds, &inflation, j);
     const uint32_t level = bmr_inflation_level(&inflation, h, j);
@@ -199,12 +199,12 @@ BMR_KDS_INFO(point_inflated_dudley, "point-inflated-dudley", "point: inflated, e
 /// How far the polygon between two layers is moved out: its eps and the margin; the polygon itself: the
 /// margin.
 static double layer_offset(const bmr_kds *kds, const bmr_inflation *inflation, uint32_t j) {
-    const uint32_t last = bmr_inflation_last(inflation, bmr_point_look(kds)->hierarchy);
+    const uint32_t last = bmr_inflation_last(inflation, bmr_point_view(kds)->hierarchy);
     return kds->def.margin + (j <= last ? bmr_inflation_offset(inflation, j) : 0.0);
 }
 
 bmr_connector bmr_point_complex_connector(const bmr_kds *kds, bmr_corner corner, uint32_t j) {
-    const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
+    const bmr_hierarchy *h = bmr_point_view(kds)->hierarchy;
     const bmr_inflation inflation = bmr_point_inflation(kds);
     const uint32_t level = bmr_inflation_level(&inflation, h, j);
     const uint32_t level_out = bmr_inflation_level(&inflation, h, j - 1);
@@ -227,7 +227,7 @@ static bool beyond_middle(bmr_vec2 first, bmr_vec2 second, bmr_vec2 x) {
 
 bmr_edge bmr_point_complex_cell(const bmr_kds *kds, bmr_edge from, uint32_t j, bmr_vec2 x,
                                 unsigned *touched) {
-    const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
+    const bmr_hierarchy *h = bmr_point_view(kds)->hierarchy;
     const bmr_inflation inflation = bmr_point_inflation(kds);
     const uint32_t level = bmr_inflation_level(&inflation, h, j);
     bmr_edge edge = from;

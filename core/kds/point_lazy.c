@@ -36,7 +36,7 @@ static bool start(bmr_kds *kds, const bmr_instant *now, bmr_kds_report *report) 
 
 /// The outer edge, or of a root the neighbour, that the point is beyond.
 static bmr_edge push(const bmr_kds *kds, bmr_vec2 x) {
-    const bmr_point_state *state = bmr_point_look(kds);
+    const bmr_point_state *state = bmr_point_view(kds);
     const bmr_boomerang b = bmr_hierarchy_boomerang(state->hierarchy, state->edge);
     const double before = bmr_edge_slack(state->hierarchy, b.outer_before, x);
     const double after = bmr_edge_slack(state->hierarchy, b.outer_after, x);

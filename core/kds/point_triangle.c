@@ -173,7 +173,7 @@ static double outer_limit(const bmr_kds *kds) {
 
 /// The outer side that the point is beyond by more than `limit`, the farther of two; BMR_NO_EDGE: none.
 static bmr_edge beyond_outer(const bmr_kds *kds, bmr_vec2 x, double limit) {
-    const bmr_point_state *state = bmr_point_look(kds);
+    const bmr_point_state *state = bmr_point_view(kds);
     const bmr_boomerang b = bmr_hierarchy_boomerang(state->hierarchy, state->edge);
     const double after = bmr_edge_slack(state->hierarchy, b.outer_after, x);
     double before = -INFINITY;
@@ -270,14 +270,14 @@ bool bmr_triangle_repair(bmr_kds *kds, const bmr_instant *now, size_t failed, bm
 
 /// The condition of not being beyond an outer side.
 static bmr_condition behind(const bmr_kds *kds, bmr_edge edge, int label) {
-    const bmr_point_state *state = bmr_point_look(kds);
+    const bmr_point_state *state = bmr_point_view(kds);
     const bmr_line line = bmr_hierarchy_line(state->hierarchy, edge);
     return bmr_condition_beyond(0, bmr_neg(line.normal), -(line.offset + outer_limit(kds)), state->point,
                                 label);
 }
 
 size_t bmr_triangle_conditions(const bmr_kds *kds, bmr_condition *conditions) {
-    const bmr_point_state *state = bmr_point_look(kds);
+    const bmr_point_state *state = bmr_point_view(kds);
     size_t count = bmr_point_conditions(kds, conditions);
     if (state->edge == BMR_NO_EDGE)
         return count;
@@ -290,7 +290,7 @@ size_t bmr_triangle_conditions(const bmr_kds *kds, bmr_condition *conditions) {
 
 /// The point is in the triangle, whose sides are those of the tiling.
 bmr_error bmr_triangle_audit(const bmr_kds *kds, const bmr_pose *b_in_a) {
-    const bmr_point_state *state = bmr_point_look(kds);
+    const bmr_point_state *state = bmr_point_view(kds);
     if (state->edge == BMR_NO_EDGE)
         return BMR_OK;
     if (state->edge >= bmr_hierarchy_edge_count(state->hierarchy))

@@ -7,7 +7,7 @@
 /// Defines bmr_kds_NAME, from the members of bmr_kds_info in their order.
 #define BMR_KDS_INFO(name, ...) const bmr_kds_info bmr_kds_##name = {__VA_ARGS__}
 
-// Each is defined in the file of this room that implements it.
+// Each is defined in the file of this folder that implements it.
 
 // inflated_pair.c; the last is not in the table: tests show that its windowless hysteresis fails
 extern const bmr_kds_info bmr_kds_inflated_translation, bmr_kds_inflated_window, bmr_kds_inflated_nowindow;

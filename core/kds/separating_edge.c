@@ -80,7 +80,7 @@ typedef struct situation {
 } situation;
 
 /// False: contact.
-static bool look(const bmr_kds *kds, const bmr_instant *now, situation *at) {
+static bool find_situation(const bmr_kds *kds, const bmr_instant *now, situation *at) {
     const separating_edge *s = view(kds);
     at->pose = &now->pose;
     at->vertex[1 - s->owner] = s->vertex;
@@ -211,7 +211,7 @@ static void roll(bmr_kds *kds, const bmr_pose *b_in_a, int label, unsigned *touc
 /// A new line, or contact.
 static bool choose(bmr_kds *kds, const bmr_instant *now, bool afresh, unsigned *touched) {
     situation at;
-    if (!look(kds, now, &at))
+    if (!find_situation(kds, now, &at))
         return false;
     if (afresh || !view(kds)->is_edge)
         pick_best(kds, &at, touched);

@@ -5,7 +5,7 @@
 #include "boomerang/kds.h"
 
 /// @file
-/// What a file of this room provides: one constant bmr_kds_class for each structure in it, named in
+/// What a file of this folder provides: one constant bmr_kds_class for each structure in it, named in
 /// kds.c's table. kds.c does what all share: checks of arguments, memory, contact, the exact distance.
 
 /// The pair that a structure works on; its own state follows it in the same block.

@@ -33,10 +33,10 @@ typedef struct bmr_event_queue {
     bool (*before)(const bmr_event_item *, const bmr_event_item *);
 } bmr_event_queue;
 
-/// Room for one item more, so that bmr_event_queue_set never needs memory. Amortized O(1). NO_MEMORY: as it
+/// Memory for one item more, so that bmr_event_queue_set never needs memory. Amortized O(1). NO_MEMORY: as it
 /// was.
 bmr_error bmr_event_queue_promise(bmr_event_queue *queue, const bmr_allocator *allocator);
-/// Gives the room for one item back; memory, where a quarter is enough.
+/// Gives the memory of one item back; memory, where a quarter is enough.
 void bmr_event_queue_release(bmr_event_queue *queue, const bmr_allocator *allocator);
 /// INFINITY: the item leaves the queue. O(log count).
 void bmr_event_queue_set(bmr_event_queue *queue, bmr_event_item *item, double time);

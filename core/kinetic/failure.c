@@ -173,7 +173,7 @@ static double narrow(const search *s, double low, double high) {
     for (int step = 0; step < SOLVER_STEPS && high - low > width; step++) {
         works = works && gsl_root_fsolver_iterate(&solver) == GSL_SUCCESS;
         double guess = works ? solver.root : low + 0.5 * (high - low);
-        // Brent's bracket often has one long side: look half a width to both sides of the guess.
+        // Brent's bracket often has one long side: try half a width to both sides of the guess.
         const double before = guess - 0.5 * width, after = guess + 0.5 * width;
         if (before > low && before < high && value_at(before, &copy) > 0.0)
             low = before;
@@ -279,7 +279,7 @@ static bmr_error safe_failure(const bmr_condition *condition, const bmr_motion_p
     return BMR_OK;
 }
 
-/// Doubles near 1 are 2e-16 apart, so that this leaves more than three digits of room.
+/// Doubles near 1 are 2e-16 apart, so that this leaves more than three digits.
 #define DEFAULT_TOLERANCE 1e-12
 
 /// A condition that stays at zero for this long, times max(1, |time|), has failed: it is called flat.
@@ -302,7 +302,7 @@ typedef enum beginning { POSITIVE, GROWING, FAILING, BELOW, FLAT } beginning;
 /// What the polynomial does right after 0. GROWING: its first `*zeros` coefficients are zero up to rounding,
 /// and the next is positive. BELOW: definitely negative. FLAT: all are zero up to rounding, and the first is
 /// not positive.
-static beginning begin(const bmr_condition_polynomial *p, size_t *zeros) {
+static beginning beginning_of(const bmr_condition_polynomial *p, size_t *zeros) {
     const double zero = BMR_START_NOISES * p->noise;
     *zeros = 0;
     if (p->c[0] > zero)
@@ -325,7 +325,7 @@ static bool stays_flat(const bmr_condition *condition, const bmr_motion_piece *o
     bmr_condition_polynomial p;
     bmr_condition_expand(condition, owner, other, from, LONG_TIME * fmax(1.0, fabs(from)), &p);
     size_t zeros;
-    const beginning start = begin(&p, &zeros);
+    const beginning start = beginning_of(&p, &zeros);
     return start == FLAT || start == FAILING;
 }
 
@@ -359,7 +359,7 @@ static bmr_error algebraic_failure(const bmr_condition *condition, const bmr_mot
         if (!isfinite(p.noise))
             return BMR_ERROR_NOT_FINITE;
         size_t zeros;
-        const beginning start = begin(&p, &zeros);
+        const beginning start = beginning_of(&p, &zeros);
         if (start == BELOW && fresh) {
             const double grace = bmr_start_grace(from, tolerance);
             if (from + grace < to && bmr_polynomial_value(p.c, p.degree, fmin(1.0, grace / p.width)) >

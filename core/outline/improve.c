@@ -117,9 +117,9 @@ static int side(const view *v, bmr_vec2 towards, bmr_vec2 of) {
     return bmr_orientation(v->at, towards, of);
 }
 
-/// Looks through an edge into the face of `half`, which is the edge's side there, between the rays to `right`
+/// Sees through an edge into the face of `half`, which is the edge's side there, between the rays to `right`
 /// and `left`. Each face is entered once: as deep as the group has faces.
-static void look_through(const view *v, uint32_t half, bmr_vec2 right, bmr_vec2 left) {
+static void see_through(const view *v, uint32_t half, bmr_vec2 right, bmr_vec2 left) {
     const bmr_mesh *m = v->group->mesh;
     for (uint32_t h = m->halves[half].next; h != half; h = m->halves[h].next) {
         const uint32_t next = m->halves[h].next, twin = m->halves[h].twin;
@@ -136,7 +136,7 @@ static void look_through(const view *v, uint32_t half, bmr_vec2 right, bmr_vec2 
         const bmr_vec2 new_right = side(v, right, from) > 0 ? from : right;
         const bmr_vec2 new_left = side(v, left, to) < 0 ? to : left;
         if (side(v, new_right, new_left) > 0)
-            look_through(v, twin, new_right, new_left);
+            see_through(v, twin, new_right, new_left);
     }
 }
 
@@ -146,7 +146,7 @@ static bool on_one_ray(const view *v, bmr_vec2 p, bmr_vec2 q) {
 }
 
 /// The faces around the notch, and through their edges.
-static void look_around(const view *v) {
+static void see_around(const view *v) {
     const bmr_mesh *m = v->group->mesh;
     uint32_t h = v->group->corners[v->eye];
     do {
@@ -161,7 +161,7 @@ static void look_around(const view *v) {
             else
                 see(v, e);
             if (e != last && is_inside(v->group, m->halves[e].twin) && side(v, here, next) != 0)
-                look_through(v, m->halves[e].twin, here, next);
+                see_through(v, m->halves[e].twin, here, next);
         }
         h = bmr_mesh_turn_left(m, h);
     } while (is_inside(v->group, h));
@@ -212,7 +212,7 @@ static bool group_loop(face_group *group, bmr_loop *loop) {
     for (uint32_t i = 0; i < n; ++i)
         if (loop->is_notch[i]) {
             const view v = {group, loop, i, loop->corners[i]};
-            look_around(&v);
+            see_around(&v);
         }
     return true;
 }
@@ -307,23 +307,23 @@ typedef struct work {
     bmr_optimal *optimal;
 } work;
 
-/// Faces whose groups are still to be looked at: a ring that has room for every face once.
+/// Faces whose groups are still to be visited: a ring that holds every face once.
 typedef struct queue {
     uint32_t *faces;
     bool *waits;
-    uint32_t room, first, count;
+    uint32_t capacity, first, count;
 } queue;
 
 static void put(queue *q, uint32_t face) {
     if (q->waits[face])
         return;
     q->waits[face] = true;
-    q->faces[(q->first + q->count++) % q->room] = face;
+    q->faces[(q->first + q->count++) % q->capacity] = face;
 }
 
 static uint32_t take(queue *q) {
     const uint32_t face = q->faces[q->first];
-    q->first = (q->first + 1) % q->room;
+    q->first = (q->first + 1) % q->capacity;
     --q->count;
     q->waits[face] = false;
     return face;

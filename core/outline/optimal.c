@@ -27,8 +27,8 @@
 
 #define NO_CUTS UINT16_MAX
 #define NO_BASE UINT32_MAX
-/// How many bases there is room for at first.
-#define FIRST_ROOM 4096u
+/// How many bases fit at first.
+#define FIRST_CAPACITY 4096u
 
 typedef struct base {
     uint16_t first, last;
@@ -48,7 +48,7 @@ typedef struct part {
 struct bmr_optimal {
     const bmr_allocator *allocator;
     base *bases;
-    uint32_t used, room;
+    uint32_t used, capacity;
     const bmr_loop *loop;
     bmr_cut *cuts;
     uint32_t cut_count;
@@ -60,8 +60,8 @@ bmr_error bmr_optimal_create(const bmr_allocator *allocator, bmr_optimal **optim
     if (!made)
         return BMR_ERROR_NO_MEMORY;
     made->allocator = allocator;
-    made->room = FIRST_ROOM;
-    made->bases = bmr_allocate(allocator, made->room * sizeof *made->bases);
+    made->capacity = FIRST_CAPACITY;
+    made->bases = bmr_allocate(allocator, made->capacity * sizeof *made->bases);
     if (!made->bases) {
         bmr_release(allocator, made, sizeof *made);
         return BMR_ERROR_NO_MEMORY;
@@ -73,22 +73,22 @@ bmr_error bmr_optimal_create(const bmr_allocator *allocator, bmr_optimal **optim
 void bmr_optimal_destroy(bmr_optimal *optimal) {
     if (!optimal)
         return;
-    bmr_release(optimal->allocator, optimal->bases, optimal->room * sizeof *optimal->bases);
+    bmr_release(optimal->allocator, optimal->bases, optimal->capacity * sizeof *optimal->bases);
     bmr_release(optimal->allocator, optimal, sizeof *optimal);
 }
 
-/// Room for the bases of one more part.
-static bmr_error make_room(bmr_optimal *o) {
-    if (o->room - o->used >= BMR_LOOP_MOST)
+/// Memory for the bases of one more part.
+static bmr_error reserve(bmr_optimal *o) {
+    if (o->capacity - o->used >= BMR_LOOP_MOST)
         return BMR_OK;
-    const uint32_t room = 2 * o->room;
-    base *bases = bmr_allocate(o->allocator, room * sizeof *bases);
+    const uint32_t capacity = 2 * o->capacity;
+    base *bases = bmr_allocate(o->allocator, capacity * sizeof *bases);
     if (!bases)
         return BMR_ERROR_NO_MEMORY;
     memcpy(bases, o->bases, o->used * sizeof *bases);
-    bmr_release(o->allocator, o->bases, o->room * sizeof *o->bases);
+    bmr_release(o->allocator, o->bases, o->capacity * sizeof *o->bases);
     o->bases = bases;
-    o->room = room;
+    o->capacity = capacity;
     return BMR_OK;
 }
 
@@ -284,7 +284,7 @@ bmr_error bmr_optimal_cuts(bmr_optimal *optimal, const bmr_loop *loop, bmr_cut *
     set_kinds(optimal);
     for (uint32_t gap = 2; gap < n; ++gap)
         for (uint32_t i = 0; i + gap < n; ++i) {
-            const bmr_error error = make_room(optimal);
+            const bmr_error error = reserve(optimal);
             if (error != BMR_OK)
                 return error;
             make_part(optimal, i, i + gap);

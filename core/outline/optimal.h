@@ -28,7 +28,7 @@ typedef struct bmr_cut {
     uint16_t from, to; ///< corners
 } bmr_cut;
 
-/// Room for the programme: grows as it needs, and is kept from one loop to the next.
+/// Memory for the programme: grows as it needs, and is kept from one loop to the next.
 typedef struct bmr_optimal bmr_optimal;
 bmr_error bmr_optimal_create(const bmr_allocator *allocator, bmr_optimal **optimal);
 void bmr_optimal_destroy(bmr_optimal *optimal);

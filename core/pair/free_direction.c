@@ -45,7 +45,7 @@ static bool certify_with(bmr_step *step, const bmr_closest *closest, int owner, 
     pair->other = support[1 - owner];
     if (pair->structure != BMR_TWO_LINES)
         pair->other_after = support[1 - owner];
-    // Not level -1, whatever it was: the look at it must be at a line.
+    // Not level -1, whatever it was: the check of it must be of a line.
     pair->level = LEVEL_POLYGONS;
     return bmr_step_holds(step, step->need, gap);
 }
@@ -161,11 +161,11 @@ bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap) {
     if (failure == BMR_FAILURE_ROLLED)
         pair->spin = spin_of(pair, step->pose) > 0 ? 1 : -1;
     if (failure == BMR_FAILURE_NEW && bmr_disks_certify(step, step->need, gap)) {
-        bmr_step_tell(step, BMR_EVENT_START, level_before, BMR_LEVEL_DISKS, *gap);
+        bmr_step_note(step, BMR_EVENT_START, level_before, BMR_LEVEL_DISKS, *gap);
         return BMR_APART;
     }
     if (two && failed && hand_over(step, gap)) {
-        bmr_step_tell(step, BMR_EVENT_HANDOVER, level_before, LEVEL_POLYGONS, *gap);
+        bmr_step_note(step, BMR_EVENT_HANDOVER, level_before, LEVEL_POLYGONS, *gap);
         return BMR_APART;
     }
     bmr_closest closest;
@@ -177,9 +177,9 @@ bmr_answer bmr_free_repair(bmr_step *step, bmr_failure failure, double *gap) {
         pair->free = 1;
         remember_coarse(step, &closest);
     }
-    bmr_step_tell(step, kind_of(failure), level_before, LEVEL_POLYGONS, *gap);
+    bmr_step_note(step, kind_of(failure), level_before, LEVEL_POLYGONS, *gap);
     const double coarse = step->need + BMR_COARSEN_PART * (*gap - step->need);
     if (bmr_disks_certify(step, coarse, gap))
-        bmr_step_tell(step, BMR_EVENT_COARSEN, LEVEL_POLYGONS, BMR_LEVEL_DISKS, *gap);
+        bmr_step_note(step, BMR_EVENT_COARSEN, LEVEL_POLYGONS, BMR_LEVEL_DISKS, *gap);
     return BMR_APART;
 }

@@ -59,19 +59,19 @@ static double worth_it(const bmr_step *step, double gap) {
     return step->need + BMR_COARSEN_PART * (gap - step->need);
 }
 
-/// A coarsening that the observer has not been told of yet: its line may still be replaced by a better one of
+/// A coarsening of which the observer does not know yet: its line may still be replaced by a better one of
 /// the same level.
 typedef struct coarsening {
     repair *repair;
-    int told; ///< the level of the last event
+    int noted; ///< the level of the last event
 } coarsening;
 
-/// Tells of the level that the pair has gained, if it is one more than was told of.
-static void tell_gain(coarsening *c) {
+/// Notes the level that the pair has gained, if it is one more than at the last event.
+static void note_gain(coarsening *c) {
     const int level = c->repair->step->pair->level;
-    if (level < c->told)
-        bmr_step_tell(c->repair->step, BMR_EVENT_COARSEN, c->told, level, *c->repair->gap);
-    c->told = level;
+    if (level < c->noted)
+        bmr_step_note(c->repair->step, BMR_EVENT_COARSEN, c->noted, level, *c->repair->gap);
+    c->noted = level;
 }
 
 static bool take(void *context, const bmr_candidate *candidate, int level) {
@@ -89,7 +89,7 @@ static bool take(void *context, const bmr_candidate *candidate, int level) {
         const double coarser_gap = *c->repair->gap;
         *pair = finer;
         *c->repair->gap = finer_gap;
-        tell_gain(c);
+        note_gain(c);
         *pair = coarser;
         *c->repair->gap = coarser_gap;
     }
@@ -101,13 +101,13 @@ static void coarsen(repair *r) {
     bmr_step *step = r->step;
     coarsening c = {r, step->pair->level};
     bmr_walk_ascend(&r->lazy.walk, r->lazy.found, step->need, step->reach, take, &c);
-    tell_gain(&c);
+    note_gain(&c);
     if (step->pair->level == 0 && bmr_disks_certify(step, worth_it(step, *r->gap), r->gap))
-        tell_gain(&c);
+        note_gain(&c);
 }
 
-static bmr_answer tell(const repair *r, bmr_event_kind kind) {
-    bmr_step_tell(r->step, kind, r->level_before, r->step->pair->level, *r->gap);
+static bmr_answer note(const repair *r, bmr_event_kind kind) {
+    bmr_step_note(r->step, kind, r->level_before, r->step->pair->level, *r->gap);
     return BMR_APART;
 }
 
@@ -118,7 +118,7 @@ static bmr_answer from_closest(repair *r, const bmr_closest *closest, const bmr_
     const int deepest = bmr_walk_deepest(r->lazy.walk.hierarchies);
     const bmr_event_kind kind = r->failure == BMR_FAILURE_ROLLED ? BMR_EVENT_ROLL : kind_of(r, deepest);
     if (bmr_lazy_start(&r->lazy, closest->direction, deepest)) {
-        tell(r, kind);
+        note(r, kind);
         coarsen(r);
         return BMR_APART;
     }
@@ -127,7 +127,7 @@ static bmr_answer from_closest(repair *r, const bmr_closest *closest, const bmr_
     pair->state = BMR_PAIR_APART;
     pair->level = (int8_t)deepest;
     pair->free = 1;
-    return tell(r, kind);
+    return note(r, kind);
 }
 
 /// Asks for the distance itself, starting from two vertices.
@@ -149,9 +149,9 @@ static bmr_answer ask_here(repair *r) {
 /// Top down: the disks, then the rectangles, then one level after the other, then the distance.
 static bmr_answer start(repair *r, bmr_vec2 direction) {
     if (r->failure != BMR_FAILURE_DISKS && bmr_disks_certify(r->step, r->step->need, r->gap))
-        return tell(r, kind_of(r, BMR_LEVEL_DISKS));
+        return note(r, kind_of(r, BMR_LEVEL_DISKS));
     if (bmr_lazy_start(&r->lazy, direction, 0))
-        return tell(r, kind_of(r, r->lazy.walk.level));
+        return note(r, kind_of(r, r->lazy.walk.level));
     return ask_here(r);
 }
 
@@ -179,7 +179,7 @@ static bmr_answer from_edge(repair *r) {
     const bmr_lazy_end end = bmr_lazy_repair(&r->lazy, at, r->failure == BMR_FAILURE_ROLLED);
     if (end == BMR_LAZY_NONE)
         return ask_here(r);
-    tell(r, end == BMR_LAZY_ROLL ? BMR_EVENT_ROLL : kind_of(r, pair->level));
+    note(r, end == BMR_LAZY_ROLL ? BMR_EVENT_ROLL : kind_of(r, pair->level));
     if (end != BMR_LAZY_STAB)
         coarsen(r);
     return BMR_APART;

@@ -125,7 +125,7 @@ static bmr_failure failure_of(const bmr_pair *pair, bmr_check check) {
     return check == BMR_CHECK_ROLLED ? BMR_FAILURE_ROLLED : BMR_FAILURE_CROSSED;
 }
 
-/// Out of line: what is done when the quick look says no.
+/// Out of line: what is done when the quick check says no.
 static bmr_answer repair(bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a, const bmr_shape *b,
                          const bmr_pose *b_in_a, const bmr_observer *observer, bmr_check check, double *gap) {
     const bmr_structure structure = bmr_pair_structure(def, a, b);
@@ -165,7 +165,7 @@ bmr_answer bmr_pair_advance(bmr_pair *pair, const bmr_pair_def *def, const bmr_s
     }
     bmr_check check = BMR_CHECK_CROSSED;
     if (pair->state == BMR_PAIR_APART) {
-        check = bmr_pair_look(pair, b_in_a, def->margin, gap);
+        check = bmr_pair_quick_check(pair, b_in_a, def->margin, gap);
         if (check == BMR_CHECK_HOLDS)
             return BMR_APART;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the structures share in one advance of a pair: the disks, the quick look, contact, the observer.
+// What the structures share in one advance of a pair: the disks, the quick check, contact, the observer.
 #include "pair/step.h"
 
 #include <math.h>
@@ -74,9 +74,9 @@ bmr_error bmr_disks_audit(const bmr_certificate *certificate, const bmr_polygon 
     return covers && bmr_disks_gap(k, b_in_a) > 0.0 ? BMR_OK : BMR_ERROR_FALSE_CERTIFICATE;
 }
 
-// ---- contact, the quick look, the observer ----
+// ---- contact, the quick check, the observer ----
 
-void bmr_step_tell(const bmr_step *step, bmr_event_kind kind, int level_before, int level_after, double gap) {
+void bmr_step_note(const bmr_step *step, bmr_event_kind kind, int level_before, int level_after, double gap) {
     const bmr_observer *observer = step->observer;
     if (!observer)
         return;
@@ -114,7 +114,7 @@ bmr_answer bmr_contact_enter(bmr_step *step, const bmr_simplex *simplex, int lev
     pair->level = (int8_t)level;
     pair->free = 0;
     if (entering)
-        bmr_step_tell(step, BMR_EVENT_CONTACT, level_before, level, 0.0);
+        bmr_step_note(step, BMR_EVENT_CONTACT, level_before, level, 0.0);
     return BMR_STAB_POLYGON;
 }
 
@@ -127,5 +127,5 @@ bool bmr_step_closest(bmr_step *step, bmr_simplex *simplex, bmr_closest *closest
 }
 
 bool bmr_step_holds(const bmr_step *step, double need, double *gap) {
-    return bmr_pair_look(step->pair, step->pose, need, gap) == BMR_CHECK_HOLDS;
+    return bmr_pair_quick_check(step->pair, step->pose, need, gap) == BMR_CHECK_HOLDS;
 }

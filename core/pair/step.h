@@ -8,9 +8,9 @@
 #include "geometry/distance.h"
 
 /// @file
-/// What the files of this room tell one another. A structure is one function that repairs a pair whose
-/// certificate has failed (or that has none yet). pair.c calls it. step.c does what all structures share: the
-/// quick look, the disks, contact, and telling the observer.
+/// What the files of this folder share. A structure is one function that repairs a pair whose certificate has
+/// failed (or that has none yet). pair.c calls it. step.c does what all structures share: the quick check,
+/// the disks, contact, and notes for the observer.
 
 /// One call of bmr_pair_advance.
 typedef struct bmr_step {
@@ -66,10 +66,10 @@ bmr_simplex bmr_contact_simplex(const bmr_pair *pair);
 bmr_answer bmr_contact_enter(bmr_step *step, const bmr_simplex *simplex, int level);
 
 /// Counts an event and hands it to the observer.
-void bmr_step_tell(const bmr_step *step, bmr_event_kind kind, int level_before, int level_after, double gap);
+void bmr_step_note(const bmr_step *step, bmr_event_kind kind, int level_before, int level_after, double gap);
 /// Does the pair's certificate prove more than `margin` at this pose? *gap: what it proves.
-static inline bmr_check bmr_pair_look(const bmr_pair *pair, const bmr_pose *b_in_a, double margin,
-                                      double *gap) {
+static inline bmr_check bmr_pair_quick_check(const bmr_pair *pair, const bmr_pose *b_in_a, double margin,
+                                             double *gap) {
     if (pair->level == BMR_LEVEL_DISKS) {
         *gap = bmr_disks_gap(&pair->certificate, b_in_a);
         return *gap > margin ? BMR_CHECK_HOLDS : BMR_CHECK_CROSSED;

@@ -5,7 +5,7 @@ const STEP = 0.05, LARGE_STEP = 0.25, TURN = Math.PI / 60;
 const KNOB_AT = 1.2; // of the body's radius
 
 class Handles {
-  /** `hold(body, x, y, angle)` is told where a body shall be. */
+  /** `hold(body, x, y, angle)` gets where a body shall be. */
   constructor(view, picture, core, hold) {
     Object.assign(this, { picture, core, hold });
     this.all = [];

@@ -144,11 +144,11 @@ class Playground {
     if (!this.playing) return;
     this.held -= seconds;
     if (this.held > 0) return;
-    const now = core.call("time"), until = core.call("until"), next = core.call("next_event"), told = core.call("told");
+    const now = core.call("time"), until = core.call("until"), next = core.call("next_event"), events = core.call("event_count");
     const goal = Math.min(now + seconds * speed * this.mode.rate * (this.mode.rate < 1 ? until : 1), until);
     const stops = byId("stop-at-events").checked && next <= goal;
     core.call("seek", stops ? next : goal);
-    if (stops && core.call("told") > told) this.held = HOLD_SECONDS;
+    if (stops && core.call("event_count") > events) this.held = HOLD_SECONDS;
     if (core.call("time") >= until) {
       this.playing = false;
       setText(byId("intro"), this.mode.last || this.mode.intro);
@@ -268,17 +268,17 @@ class Playground {
 
   /** Is an event still fading? Not while it is being looked at. */
   fresh() {
-    return Boolean(this.mode.hand) && this.core.call("told") > 0 && this.fadeUntil > performance.now();
+    return Boolean(this.mode.hand) && this.core.call("event_count") > 0 && this.fadeUntil > performance.now();
   }
 
   draw() {
     const levels = LEVELS.indexOf(this.place.levels);
-    const told = this.core.call("told");
-    if (told !== this.toldBefore) {
+    const events = this.core.call("event_count");
+    if (events !== this.eventsBefore) {
       this.fadeUntil = performance.now() + 2600;
       this.wordsDue = true; // words and picture tell of the same event
     }
-    this.toldBefore = told;
+    this.eventsBefore = events;
     if (this.mode.crowd) this.scene.draw(this.core.draw(PICTURES.crowd, this.place.shown));
     else {
       if (this.scene.zoom > 1 && this.scene.watched) this.scene.focus = this.scene.watched;

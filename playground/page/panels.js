@@ -26,7 +26,7 @@ class Panels {
       this.badges.set(kind.kind, { item, count });
     }
     this.last = null;
-    this.told = this.core.call("told");
+    this.events = this.core.call("event_count");
     this.rowsFor = null;
   }
 
@@ -36,7 +36,7 @@ class Panels {
 
   /** Everything, after something has happened. */
   update(isCourse) {
-    const core = this.core, latest = core.call("latest"), told = core.call("told");
+    const core = this.core, latest = core.call("latest"), events = core.call("event_count");
     for (const [kind, { item, count }] of this.badges) {
       setText(count, String(core.call("events", 0, kind)));
       item.classList.toggle("latest", kind === latest);
@@ -45,8 +45,8 @@ class Panels {
     setText(byId("proof"), core.say(0));
     this.ladder();
     this.rivals(isCourse);
-    if (told !== this.told) {
-      this.told = told;
+    if (events !== this.events) {
+      this.events = events;
       this.sayLater(`${core.say(1)} ${core.say(2)}`);
     }
   }

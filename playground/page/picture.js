@@ -146,11 +146,11 @@ class Picture {
   freePlace(x, y, width) {
     const places = [[x + 20, y - 22], [x - 20 - width, y - 22], [x + 20, y + 22], [x - 20 - width, y + 22]].map(([left, top]) =>
       [Math.min(Math.max(left, 6), this.width - width - 54), Math.min(Math.max(top, 16), this.height - 16)]);
-    const room = ([left, top]) => Math.min(Infinity, ...this.taken.map(([wx, wy]) => {
+    const clearance = ([left, top]) => Math.min(Infinity, ...this.taken.map(([wx, wy]) => {
       const [px, py] = this.toScreen(wx, wy);
       return Math.hypot(left + width / 2 - px, top - py);
     }));
-    return places.reduce((best, place) => (room(place) > room(best) ? place : best));
+    return places.reduce((best, place) => (clearance(place) > clearance(best) ? place : best));
   }
 
   /** Names of bodies in their middle; of events beside the point, on a plate, and inside of the picture. */

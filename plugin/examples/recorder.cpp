@@ -72,7 +72,7 @@ void LetThrough(b2Body *player, float feet, float platformTop) {
     b2Filter filter = fixture->GetFilterData();
     const auto mask = static_cast<uint16>(lands ? filter.maskBits | kPlatform : filter.maskBits & ~kPlatform);
     if (mask == filter.maskBits)
-        return; // SetFilterData costs a look at each contact
+        return; // SetFilterData visits each contact
     filter.maskBits = mask;
     fixture->SetFilterData(filter);
 }

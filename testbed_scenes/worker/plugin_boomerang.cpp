@@ -14,55 +14,55 @@ namespace testbed {
 namespace {
 
 // The plugin's options are for the whole process, and so is the observer.
-PluginObserver *observer = nullptr;
+PluginObserver *pluginObserver = nullptr;
 
 void OnEvent(void *, const b2Body *bodyA, const b2Body *bodyB, const bmr_event &event) {
-    observer->OnKineticEvent(*bodyA, *bodyB, bmr_event_name(event.kind));
+    pluginObserver->OnKineticEvent(*bodyA, *bodyB, bmr_event_name(event.kind));
 }
 
 void OnAnswer(const b2Contact &contact, bmr::Answer answer) {
-    observer->OnAnswer(contact, answer >= bmr::Answer::HandedOver);
+    pluginObserver->OnAnswer(contact, answer >= bmr::Answer::HandedOver);
 }
 
 shown::Vec VecOf(const b2Vec2 &v) {
     return {v.x, v.y};
 }
 
-bool IsToldToBeOff() {
+bool IsSwitchedOff() {
     const char *asked = std::getenv("BOOMERANG");
     return asked != nullptr && std::strcmp(asked, "off") == 0;
 }
 
 } // namespace
 
-void InstallPlugin(const std::string &structure, bool count, PluginObserver *told) {
+void InstallPlugin(const std::string &structure, bool count, PluginObserver *observer) {
     bmr::Options install;
     for (int i = 0; i < BMR_STRUCTURE_COUNT && !structure.empty(); ++i)
         if (structure == bmr_structure_name(static_cast<bmr_structure>(i)))
             install.pairsBy = static_cast<bmr_structure>(i);
     install.statistics = count;
-    observer = told;
-    if (observer != nullptr) {
+    pluginObserver = observer;
+    if (pluginObserver != nullptr) {
         bmr::internal::ObserveAnswers(OnAnswer);
         install.onEvent = OnEvent;
     }
-    // Told to be off, it still has the polygons of any size.
-    if (!bmr::Install(install) && !IsToldToBeOff())
+    // Switched off, it still has the polygons of any size.
+    if (!bmr::Install(install) && !IsSwitchedOff())
         throw std::runtime_error("the plugin would not install");
 }
 
 const char *PluginName() {
-    return IsToldToBeOff() ? "off" : "plugin";
+    return IsSwitchedOff() ? "off" : "plugin";
 }
 
 nlohmann::json PluginStatistics() {
     const bmr::Counted counted = bmr::internal::ReadCounts();
-    nlohmann::json told, events;
-    bmr::VisitCounts([&told](const char *name, uint64_t count) { told[name] = count; }, counted);
+    nlohmann::json counts, events;
+    bmr::VisitCounts([&counts](const char *name, uint64_t count) { counts[name] = count; }, counted);
     for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind)
         events[bmr_event_name(static_cast<bmr_event_kind>(kind))] = counted.events[kind];
-    told["events"] = events;
-    return told;
+    counts["events"] = events;
+    return counts;
 }
 
 ShownProof ShowProof(const b2Contact &contact) {

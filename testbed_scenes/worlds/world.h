@@ -97,7 +97,7 @@ class WorldFrames;
 /// A kinetic world of a setup's bodies, whose numbers are their places in it. The setup must outlive it.
 class WorldRun {
 public:
-    /// The frames, if any, are told of each contact, before it is answered, and of each event.
+    /// The frames, if any, get each contact, before it is answered, and each event.
     explicit WorldRun(const WorldSetup &setup, WorldFrames *frames = nullptr);
     WorldRun(const WorldRun &) = delete;
     WorldRun &operator=(const WorldRun &) = delete;
@@ -154,7 +154,7 @@ struct OverlapCheck {
 };
 /// What rounding may do to a contact that is answered at a distance of the margin: nothing near this.
 constexpr double kOverlapTolerance = 1e-7;
-/// Knows nothing of the world's cells or certificates. O(bodies^2) looks at disks.
+/// Knows nothing of the world's cells or certificates. Compares disks, O(bodies^2) pairs.
 OverlapCheck CheckOverlaps(const WorldRun &run, const WorldSetup &setup);
 
 /// Options of Measure that do not change the world.
@@ -162,8 +162,8 @@ struct MeasureOptions {
     bool check = false; ///< CheckOverlaps at the end
     bool audit = false; ///< bmr_world_audit some times in the run, and at the end
     int slices = 100;   ///< equally long parts of the run
-    /// Told at the beginning and after each slice how much is done, from 0 to 1. It is not part of what is
-    /// timed.
+    /// Called at the beginning and after each slice with how much is done, from 0 to 1. It is not part of
+    /// what is timed.
     std::function<void(const WorldRun &, double part)> onSlice;
     WorldFrames *frames = nullptr;
 };
@@ -196,7 +196,7 @@ const char *NameOf(bmr_boundary boundary);
 /// "elastic", "restitution 0.9" or "pass".
 std::string NameOf(const bmr_response &response);
 
-/// A kinetic world as frames for pictures, one at each look. Of a frame
+/// A kinetic world as frames for pictures, one at each time that is shown. Of a frame
 ///   - bodies are the world's, and four static ones after them, the walls; in a periodic box they are taken
 ///     back into it;
 ///   - boxes are the cells that bodies live in;
@@ -208,7 +208,7 @@ class WorldFrames {
 public:
     explicit WorldFrames(const WorldSetup &setup) : m_setup(setup) {}
 
-    /// All that happens between frames, as the run tells it.
+    /// All that happens between frames, as the run reports it.
     void Add(const bmr_contact &contact);
     void Add(const bmr_world_event &event);
     shown::Frame Take(const WorldRun &run);

@@ -77,7 +77,7 @@ typedef struct visits {
 
 static void visit(void *context, const test_drive_event *event) {
     visits *v = context;
-    const bmr_edge edge = bmr_point_look(event->kds)->edge;
+    const bmr_edge edge = bmr_point_view(event->kds)->edge;
     if (!event->report.apart || edge == BMR_NO_EDGE)
         return;
     const int level = bmr_point_level(event->kds);
@@ -119,7 +119,7 @@ TEST(a_convex_path_meets_at_most_one_triangle_of_a_level) {
 
 /// A cell is left when the point is on one of its sides, and nowhere else.
 static void is_on_a_line(const test_drive_event *event) {
-    const bmr_hierarchy *h = bmr_point_look(event->kds)->hierarchy;
+    const bmr_hierarchy *h = bmr_point_view(event->kds)->hierarchy;
     const bmr_vec2 x = bmr_point_at(event->kds, &event->now.pose);
     double nearest = INFINITY;
     for (bmr_edge id = 0; id < bmr_hierarchy_edge_count(h); ++id)
@@ -140,7 +140,7 @@ static void took_few_steps(const test_drive_event *event) {
 /// Brute force: every node whose triangle holds the point, tolerances left out.
 static void compare_with_all_triangles(void *context, const test_drive_event *event) {
     size_t *compared = context;
-    const bmr_point_state *state = bmr_point_look(event->kds);
+    const bmr_point_state *state = bmr_point_view(event->kds);
     if (event->report.kind == BMR_KDS_CROSS && state->edge != BMR_NO_EDGE && event->failed.label > 0)
         is_on_a_line(event);
     if (event->report.kind == BMR_KDS_STAB && state->edge != BMR_NO_EDGE)
@@ -193,7 +193,7 @@ typedef struct record {
 static void write_down(void *context, const test_drive_event *event) {
     record *r = context;
     if (r->count < sizeof r->edges / sizeof *r->edges)
-        r->edges[r->count++] = bmr_point_look(event->kds)->edge;
+        r->edges[r->count++] = bmr_point_view(event->kds)->edge;
     if (event->report.kind == BMR_KDS_STAB && event->report.touched > r->most_steps)
         r->most_steps = event->report.touched;
 }
@@ -264,7 +264,7 @@ typedef struct hysteresis {
 
 /// Brute force: the least j whose inflated envelope has the point outside. False: none has.
 static bool promised_offset(const bmr_kds *kds, bmr_vec2 x, double *offset) {
-    const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
+    const bmr_hierarchy *h = bmr_point_view(kds)->hierarchy;
     const bmr_inflation inflation = bmr_point_inflation(kds);
     for (uint32_t j = 0; j <= bmr_inflation_last(&inflation, h); ++j) {
         double most = -INFINITY;
@@ -425,7 +425,7 @@ static size_t inflated_polygon(const bmr_hierarchy *h, uint32_t level, double of
 
 /// The four corners of the cell of an edge of Q_j, counter-clockwise.
 static void cell_corners(const bmr_kds *kds, bmr_edge edge, uint32_t j, bmr_vec2 corners[4]) {
-    const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
+    const bmr_hierarchy *h = bmr_point_view(kds)->hierarchy;
     const bmr_inflation inflation = bmr_point_inflation(kds);
     const uint32_t level = bmr_inflation_level(&inflation, h, j);
     const bmr_connector before =
@@ -456,7 +456,7 @@ static bool beyond_cell(const bmr_kds *kds, bmr_edge edge, uint32_t j, bmr_vec2 
 }
 
 static void look_at_complex(const bmr_kds *kds, test_random *random, bool drop_triangles, double *missing) {
-    const bmr_hierarchy *h = bmr_point_look(kds)->hierarchy;
+    const bmr_hierarchy *h = bmr_point_view(kds)->hierarchy;
     const bmr_polygon *p = bmr_hierarchy_polygon(h);
     const bmr_inflation inflation = bmr_point_inflation(kds);
     const uint32_t last = bmr_inflation_last(&inflation, h);

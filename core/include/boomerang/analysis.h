@@ -48,12 +48,12 @@ typedef struct bmr_optimum {
 /// size.
 ///
 /// `least` takes the cones of the samples as they are, and no cover has fewer lines. For `found` a line must
-/// hold at the samples, with room for the bend of the ends' paths between them. Tests find that its lines
-/// hold everywhere, but that is no proof. `lines` (NULL, or room for `room`) gets the first lines of the
+/// hold at the samples, with a margin for the bend of the ends' paths between them. Tests find that its lines
+/// hold everywhere, but that is no proof. `lines` (NULL, or `capacity` lines) gets the first lines of the
 /// cover found. 0.02 is a good resolution. Errors: NULL_ARGUMENT, OUT_OF_RANGE (resolution, margin not
 /// positive, from > to).
 bmr_error bmr_offline_optimum(const bmr_course *course, double margin, double resolution,
-                              bmr_cover_line *lines, size_t room, bmr_optimum *optimum);
+                              bmr_cover_line *lines, size_t capacity, bmr_optimum *optimum);
 
 // ---- Clear decompositions (section 6) ----
 

@@ -22,7 +22,7 @@
 // Asked step by step: 64 bytes remember a proof that the two are apart and check it at each pose.
 #include "boomerang/pair.h"
 
-// Asked of a whole world: how far may two bodies move before their proof has to be looked at?
+// Asked of a whole world: how far may two bodies move before their proof has to be checked?
 #include "boomerang/budget.h"
 
 // Approximations of a polygon from outside (section 3): with them a proof is coarse if there is room.

@@ -75,8 +75,8 @@ void bmr_family_destroy(bmr_family_motion *made);
 double bmr_polygon_diameter(const bmr_polygon *polygon);
 
 /// The least distance of the two polygons over [from, to] (finite), to within `tolerance` (> 0, length units;
-/// INFINITY: one look at each piece). *distance is attained at *time, and nowhere is the distance smaller by
-/// more than the tolerance. 0 if they touch. It subdivides by the bodies' speed bounds: a distance and a
+/// INFINITY: one sample of each piece). *distance is attained at *time, and nowhere is the distance smaller
+/// by more than the tolerance. 0 if they touch. It subdivides by the bodies' speed bounds: a distance and a
 /// speed close each interval. Cost: (speed * time / tolerance) distances at worst, if the distance stays
 /// least. Errors: NULL_ARGUMENT, OUT_OF_RANGE (tolerance not positive, from > to).
 bmr_error bmr_least_distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_motion *motion_a,

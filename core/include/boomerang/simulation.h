@@ -19,7 +19,7 @@ typedef struct bmr_simulation_def {
     const bmr_kds_info *structure;
     bmr_kds_def kds;
     bmr_failure_options failure;
-    /// The most time between two checks of a pair in contact; > 0. A contact ends where the distance rises
+    /// The most time between two samples of a pair in contact; > 0. A contact ends where the distance rises
     /// above kds.margin + kds.hysteresis. Steps that the bodies' speeds make safe find that time to
     /// failure.tolerance. Leaving and touching again within a thousandth of this step may go unnoticed.
     double contact_step;

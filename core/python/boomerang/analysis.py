@@ -41,8 +41,8 @@ class Course:
 
     def run(self, structure="lazy-dudley"):
         """The events of a structure along the course: certificates that failed and were repaired (no starts)."""
-        told = Simulation((self.a, self.b), self.motions, structure).run(1.0)
-        return [event for event in told if event.kind != "start"]
+        events = Simulation((self.a, self.b), self.motions, structure).run(1.0)
+        return [event for event in events if event.kind != "start"]
 
     def optimum(self, margin=1e-6, resolution=0.02):
         """(least, found): the fewest separating lines that cover the course, between two bounds."""

@@ -135,11 +135,11 @@ class Simulation:
         _c.release_with(self, (polygons, motions, shapes, plans, observer), library.bmr_simulation_destroy, self._c)
 
     def run(self, until):
-        """All events up to and at the time `until` that were not told yet, in order; the first is the start."""
+        """All events up to and at the time `until` that were not returned yet, in order; the first is the start."""
         library.bmr_simulation_run(self._c, float(until))
-        told = list(self._new)
+        events = list(self._new)
         self._new.clear()
-        return told
+        return events
 
     @property
     def time(self):
