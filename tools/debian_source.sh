@@ -57,28 +57,28 @@ version=$(dpkg-query -W -f='${source:Version}' "$package" 2>/dev/null) || fail "
 mkdir -p "$place"
 place=$(cd "$place" && pwd) # what follows changes directories
 log=$place/get-source.log
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
-mkdir -p "$room/parts" "$room/lists/partial" "$room/cache/archives/partial" "$room/out"
+temp=$(mktemp -d)
+trap 'rm -rf "$temp"' EXIT
+mkdir -p "$temp/parts" "$temp/lists/partial" "$temp/cache/archives/partial" "$temp/out"
 # shellcheck source=/dev/null
 suites=$(. /etc/os-release && printf '%s' "${VERSION_CODENAME:-stable}")
 shopt -s nullglob
 files=(/etc/apt/sources.list.d/*.sources)
-[ ${#files[@]} -eq 0 ] || deb822_entries "($suites|stable)" "${files[@]}" >"$room/parts/source.sources"
+[ ${#files[@]} -eq 0 ] || deb822_entries "($suites|stable)" "${files[@]}" >"$temp/parts/source.sources"
 files=(/etc/apt/sources.list /etc/apt/sources.list.d/*.list)
 existing=()
 for file in "${files[@]}"; do [ ! -r "$file" ] || existing+=("$file"); done
-[ ${#existing[@]} -eq 0 ] || line_entries "$suites|stable" "${existing[@]}" >"$room/parts/source.list"
-[ -s "$room/parts/source.sources" ] || [ -s "$room/parts/source.list" ] ||
+[ ${#existing[@]} -eq 0 ] || line_entries "$suites|stable" "${existing[@]}" >"$temp/parts/source.list"
+[ -s "$temp/parts/source.sources" ] || [ -s "$temp/parts/source.list" ] ||
     fail "apt has no entry here for main of $suites: where is the source of $name to come from?"
 
-apt=(apt-get -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts="$room/parts" -o Dir::State::lists="$room/lists"
-    -o Dir::Cache="$room/cache" -o APT::Sandbox::User="$(id -un)")
+apt=(apt-get -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts="$temp/parts" -o Dir::State::lists="$temp/lists"
+    -o Dir::Cache="$temp/cache" -o APT::Sandbox::User="$(id -un)")
 # One of several mirrors may be down; whether the one that matters was, the next command says.
 "${apt[@]}" update >"$log" 2>&1 || true
-(cd "$room/out" && "${apt[@]}" source --only-source "$name=$version" >>"$log" 2>&1) ||
+(cd "$temp/out" && "${apt[@]}" source --only-source "$name=$version" >>"$log" 2>&1) ||
     fail "apt-get source $name=$version failed (is there a network?); all it said is in $log"
-extracted=("$room/out/$name"-*/)
+extracted=("$temp/out/$name"-*/)
 [ ${#extracted[@]} -eq 1 ] && [ -e "${extracted[0]}$file_in_it" ] ||
     fail "the source package $name $version has no $file_in_it"
 printf '%s\n' "$version" >"${extracted[0]}.version"

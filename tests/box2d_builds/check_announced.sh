@@ -10,8 +10,8 @@ set -uo pipefail
 build=${1:?} plugin=${2:?}
 shift 2
 accelerated=("$@")
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
+temp=$(mktemp -d)
+trap 'rm -rf "$temp"' EXIT
 passed=0 failed=0
 unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 
@@ -30,7 +30,7 @@ fails() {
 }
 
 # counted NAME: of what it counted
-counted() { sed -n "s/^$1 //p" "$room/counts"; }
+counted() { sed -n "s/^$1 //p" "$temp/counts"; }
 
 # says VARIANT WAY LINE [COUNT...]: with the plugin in this way, the game's one line is this; these counts are above zero, or, where
 # none is named, there are none at all.
@@ -39,21 +39,21 @@ says() {
     shift 3
     if [ "$way" = preloaded ]; then preload=$plugin; else program=${program}_$way; fi
     processor_for "$variant" || return 1
-    : >"$room/counts"
+    : >"$temp/counts"
     "${runner[@]}" "${set_variable[@]}" "LD_PRELOAD=$preload" "${set_variable[@]}" BOOMERANG_VERBOSE=1 \
-        "${set_variable[@]}" "BOOMERANG_COUNTS=$room/counts" "$program" 97 >/dev/null 2>"$room/err"
-    sed -i '/^boomerang: [0-9]* steps, /d' "$room/err" # said at the end
-    if ! grep -q "^boomerang: $line" "$room/err" || [ "$(grep -c '^boomerang: ' "$room/err")" -ne 1 ]; then
-        fails "$variant, $way: says \"$(cat "$room/err")\", not \"$line\""
+        "${set_variable[@]}" "BOOMERANG_COUNTS=$temp/counts" "$program" 97 >/dev/null 2>"$temp/err"
+    sed -i '/^boomerang: [0-9]* steps, /d' "$temp/err" # said at the end
+    if ! grep -q "^boomerang: $line" "$temp/err" || [ "$(grep -c '^boomerang: ' "$temp/err")" -ne 1 ]; then
+        fails "$variant, $way: says \"$(cat "$temp/err")\", not \"$line\""
         return
     fi
-    if [ $# -eq 0 ] && [ -s "$room/counts" ]; then
+    if [ $# -eq 0 ] && [ -s "$temp/counts" ]; then
         fails "$variant, $way: counts something"
         return
     fi
     # The page says the same of the way as the line.
-    if [ $# -gt 0 ] && ! grep -q "; $(counted way)$" "$room/err"; then
-        fails "$variant, $way: the page has another way than \"$(cat "$room/err")\""
+    if [ $# -gt 0 ] && ! grep -q "; $(counted way)$" "$temp/err"; then
+        fails "$variant, $way: the page has another way than \"$(cat "$temp/err")\""
         return
     fi
     for name; do

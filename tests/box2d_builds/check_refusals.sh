@@ -8,16 +8,16 @@
 set -uo pipefail
 build=${1:?}
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
+temp=$(mktemp -d)
+trap 'rm -rf "$temp"' EXIT
 passed=0 failed=0
 
 # refuses CASE SENTENCE
 refuses() {
-    if cmake -S "$here/refused" -B "$room/$1" -DCASE="$1" -DBOX2D_SOURCE="$build/source" >"$room/out" 2>&1; then
+    if cmake -S "$here/refused" -B "$temp/$1" -DCASE="$1" -DBOX2D_SOURCE="$build/source" >"$temp/out" 2>&1; then
         echo "FAILED: $1: not refused"
-    elif ! tr -s '\n ' '  ' <"$room/out" | grep -qF "boomerang_accelerate(box2d): $2"; then # (CMake breaks lines where it likes.)
-        echo "FAILED: $1: refused otherwise: $(tr -s '\n ' '  ' <"$room/out")"
+    elif ! tr -s '\n ' '  ' <"$temp/out" | grep -qF "boomerang_accelerate(box2d): $2"; then # (CMake breaks lines where it likes.)
+        echo "FAILED: $1: refused otherwise: $(tr -s '\n ' '  ' <"$temp/out")"
     else
         passed=$((passed + 1))
         return

@@ -9,8 +9,8 @@
 set -uo pipefail
 build=${1:?} installed=${2:?}
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
+temp=$(mktemp -d)
+trap 'rm -rf "$temp"' EXIT
 # shellcheck source=tests/kit/holds.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../kit/holds.sh"
 # shellcheck source=tests/box2d_builds/processor.sh
@@ -37,30 +37,30 @@ play() {
 }
 
 # debian: it does what the installed library does, and exports what that exports.
-play debian 97 >"$room/debian"
-play debian 97 LD_PRELOAD="$installed" >"$room/installed"
-holds "debian: the installed Box2D's bits" cmp -s "$room/debian" "$room/installed"
+play debian 97 >"$temp/debian"
+play debian 97 LD_PRELOAD="$installed" >"$temp/installed"
+holds "debian: the installed Box2D's bits" cmp -s "$temp/debian" "$temp/installed"
 holds "debian: the installed Box2D's symbols" cmp -s <(exported "$(library debian)") <(exported "$installed")
 holds "debian: with assertions; ndebug: without" but has_assertions debian ndebug
-play units10 97 >"$room/units10"
-holds "units10: other bits than with 1" differs "$room/units10" "$room/debian"
+play units10 97 >"$temp/units10"
+holds "units10: other bits than with 1" differs "$temp/units10" "$temp/debian"
 holds "static: an archive" but is_archive static debian
 variants=(ndebug static)
 if [ -e "$build/hidden" ]; then # the rest is there with --long alone
     variants+=(hidden)
     holds "allocator: has one of its own" but has_own_allocator allocator debian
-    play allocator 97 >"$room/allocator" 2>"$room/allocator.err"
-    holds "allocator: stock's bits" cmp -s "$room/allocator" "$room/debian"
-    holds "allocator: Box2D asks it for memory" grep -qE '^blocks [1-9]' "$room/allocator.err"
+    play allocator 97 >"$temp/allocator" 2>"$temp/allocator.err"
+    holds "allocator: stock's bits" cmp -s "$temp/allocator" "$temp/debian"
+    holds "allocator: Box2D asks it for memory" grep -qE '^blocks [1-9]' "$temp/allocator.err"
     holds "fma: fuses" but has_fused fma debian
-    play fma 97 >"$room/fma"
-    holds "fma: rounds otherwise" differs "$room/fma" "$room/debian"
+    play fma 97 >"$temp/fma"
+    holds "fma: rounds otherwise" differs "$temp/fma" "$temp/debian"
     holds "static: of Box2D's many files; hidden: of one" but has_many_files static hidden
     holds "hidden: nothing is seen" but is_hidden hidden static
 fi
 for variant in "${variants[@]}"; do
-    play "$variant" 97 >"$room/$variant"
-    holds "$variant: Debian's bits" cmp -s "$room/$variant" "$room/debian"
+    play "$variant" 97 >"$temp/$variant"
+    holds "$variant: Debian's bits" cmp -s "$temp/$variant" "$temp/debian"
 done
 
 all_hold

@@ -10,13 +10,13 @@ set -uo pipefail
 build=$(realpath "${1:?}") plugin=$(realpath "${2:?}") root=${3:?}
 libraries=$(dirname "$plugin") tree=$(dirname "$(dirname "$plugin")")
 ways=$root/tests/box2d_builds/ways
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
-holds_shows=$room/err
+temp=$(mktemp -d)
+trap 'rm -rf "$temp"' EXIT
+holds_shows=$temp/err
 # shellcheck source=tests/kit/holds.sh
 source "$root/tests/kit/holds.sh"
 unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
-cd "$room" || exit 1
+cd "$temp" || exit 1
 
 # links PROGRAM MAIN LIBRARY...
 links() { g++ "$2.o" play.o -o "$1" "${@:3}" -pthread 2>err; }
@@ -59,11 +59,11 @@ holds "control: the same file is loaded once" preloaded_twice
 
 refused() {
     local how=$1 sentence=$2
-    ! cmake -S "$ways" -B "$room/$how" -G Ninja -DHOW="$how" -DBOX2D_SOURCE="$build/source" -DBOOMERANG_SOURCE="$root" \
-        -DCMAKE_PREFIX_PATH="$room/prefix" >err 2>&1 && tr -s '\n ' '  ' <err | grep -qF "$sentence"
+    ! cmake -S "$ways" -B "$temp/$how" -G Ninja -DHOW="$how" -DBOX2D_SOURCE="$build/source" -DBOOMERANG_SOURCE="$root" \
+        -DCMAKE_PREFIX_PATH="$temp/prefix" >err 2>&1 && tr -s '\n ' '  ' <err | grep -qF "$sentence"
 }
 for component in development core kinetic runtime; do
-    cmake --install "$tree" --prefix "$room/prefix" --component "$component" >/dev/null
+    cmake --install "$tree" --prefix "$temp/prefix" --component "$component" >/dev/null
 done
 for how in add_subdirectory fetch_content package; do
     holds "CMake refuses both, by $how" refused "$how" \

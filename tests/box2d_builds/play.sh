@@ -16,8 +16,8 @@ build=${1:?} variant=${2:?} plugin=${3:?}
 shift 3
 read -ra ways <<<"${BOX2D_BUILDS_WAYS:-preloaded ahead}"
 program=$build/$variant/games_$variant
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
+temp=$(mktemp -d)
+trap 'rm -rf "$temp"' EXIT
 passed=0 failed=0
 unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 # What goes round for ever ends: many hundred times what a game needs of a processor, however busy the machine is.
@@ -33,11 +33,11 @@ fails() {
     printf 'FAILED: %s: %s\n' "$variant" "$*"
 }
 
-# play NAME PRELOADED PROGRAM ARGUMENT...: what it prints into $room/NAME, what it says into $room/NAME.err
+# play NAME PRELOADED PROGRAM ARGUMENT...: what it prints into $temp/NAME, what it says into $temp/NAME.err
 play() {
     # (In a shell of its own: what that says of a crash goes to /dev/null.)
     (
-        "${runner[@]}" ${2:+"${set_variable[@]}" "LD_PRELOAD=$2"} "$3" "${@:4}" >"$room/$1" 2>"$room/$1.err"
+        "${runner[@]}" ${2:+"${set_variable[@]}" "LD_PRELOAD=$2"} "$3" "${@:4}" >"$temp/$1" 2>"$temp/$1.err"
         exit $?
     ) 2>/dev/null
 }
@@ -52,27 +52,27 @@ first_difference() {
 game() {
     local way played preload status expected=0 wanted stock
     play stock '' "$program" "$@" || expected=$?
-    if [ "$expected" -ne 0 ] || [ ! -s "$room/stock" ]; then
+    if [ "$expected" -ne 0 ] || [ ! -s "$temp/stock" ]; then
         fails "stock Box2D does not survive '$*' (exit status $expected), so that the game is at fault and not the plugin;" \
-            "it came to $(tail -n 1 "$room/stock" | cut -d' ' -f1,2) and said: $(tail -n 1 "$room/stock.err")"
+            "it came to $(tail -n 1 "$temp/stock" | cut -d' ' -f1,2) and said: $(tail -n 1 "$temp/stock.err")"
         return
     fi
     stock=$expected
     for way in "${ways[@]}"; do
-        played=${program}_$way preload='' status=0 wanted=$room/stock expected=$stock
+        played=${program}_$way preload='' status=0 wanted=$temp/stock expected=$stock
         if [[ $way = accelerated* && -n ${BOX2D_BUILDS_UNFUSED:-} ]]; then
-            wanted=$room/unfused expected=0
+            wanted=$temp/unfused expected=0
             play unfused '' "$BOX2D_BUILDS_UNFUSED" "$@" || expected=$?
         fi
         [ "$way" != preloaded ] || { played=$program preload=$plugin; }
         play played "$preload" "$played" "$@" || status=$?
-        if grep -q '^ERROR: ld.so' "$room/played.err"; then
-            fails "$way: '$*': the plugin was not loaded: $(grep -m1 '^ERROR: ld.so' "$room/played.err")"
-        elif [ "$status" -eq "$expected" ] && cmp -s "$room/played" "$wanted"; then
+        if grep -q '^ERROR: ld.so' "$temp/played.err"; then
+            fails "$way: '$*': the plugin was not loaded: $(grep -m1 '^ERROR: ld.so' "$temp/played.err")"
+        elif [ "$status" -eq "$expected" ] && cmp -s "$temp/played" "$wanted"; then
             passed=$((passed + 1))
         else
             fails "$way: '$*': exit status $status, stock's is $expected; first difference:" \
-                "$(first_difference "$wanted" "$room/played"); $(tail -n 1 "$room/played.err")"
+                "$(first_difference "$wanted" "$temp/played"); $(tail -n 1 "$temp/played.err")"
         fi
     done
 }
@@ -82,7 +82,7 @@ if [ $# -eq 0 ]; then
     # Worlds whose listeners do what the others seldom do. The game counts that.
     while read -r seed deed; do
         game "$seed"
-        grep -q "^did \"$deed\" [0-9][0-9]" "$room/stock.err" || fails "$seed: its listeners have not done it: $deed"
+        grep -q "^did \"$deed\" [0-9][0-9]" "$temp/stock.err" || fails "$seed: its listeners have not done it: $deed"
     done <<<'95 steps the other world
 317 edits a shape
 97 draws'
@@ -92,7 +92,7 @@ if [ $# -eq 0 ]; then
     # are worlds that are others when fresh memory holds something else.
     for ((seed = first; seed < first + count; ++seed)); do
         if MALLOC_PERTURB_=85 play again '' "$program" "$seed" && MALLOC_PERTURB_=165 play stock '' "$program" "$seed" &&
-            cmp -s "$room/again" "$room/stock"; then
+            cmp -s "$temp/again" "$temp/stock"; then
             game "$seed"
         else
             over=$((over + 1))

@@ -8,8 +8,8 @@
 # tree, and its diff made what is in it; every place that names the version names the same. Each check has a control.
 set -u
 root=$1 build=$2
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
+temp=$(mktemp -d)
+trap 'rm -rf "$temp"' EXIT
 failed=0
 fail() {
     echo "FAILED: $*"
@@ -18,10 +18,10 @@ fail() {
 
 # changed SED FILE: a copy of the tree's file in which something is another
 changed() {
-    mkdir -p "$(dirname "$room/$2")"
-    sed -E "$1" "$root/$2" >"$room/$2"
-    ! cmp -s "$root/$2" "$room/$2" || fail "the control changes nothing in $2: $1"
-    echo "$room/$2"
+    mkdir -p "$(dirname "$temp/$2")"
+    sed -E "$1" "$root/$2" >"$temp/$2"
+    ! cmp -s "$root/$2" "$temp/$2" || fail "the control changes nothing in $2: $1"
+    echo "$temp/$2"
 }
 
 # --- CI
@@ -44,9 +44,9 @@ done
 answers() {
     local wanted=$1 pattern=$2 status=0
     shift 2
-    "$root/tests/run" "$@" >"$room/said" 2>&1 || status=$?
-    [ "$status" -eq "$wanted" ] && grep -q -e "$pattern" "$room/said" ||
-        fail "tests/run $*: exit status $status, not $wanted, or nothing like '$pattern' in: $(head -n 5 "$room/said")"
+    "$root/tests/run" "$@" >"$temp/said" 2>&1 || status=$?
+    [ "$status" -eq "$wanted" ] && grep -q -e "$pattern" "$temp/said" ||
+        fail "tests/run $*: exit status $status, not $wanted, or nothing like '$pattern' in: $(head -n 5 "$temp/said")"
 }
 for word in --long --seed --quick --only --help BMR_JOBS BMR_BUILD_DIR BMR_TEST_SCALE BMR_FUZZ_SECONDS; do
     answers 0 "$word" --help
@@ -70,9 +70,9 @@ BMR_JOBS=abc answers 2 "BMR_JOBS is 'abc'" --only format
 
 page=$root/docs/is-it-for-my-game.md
 grep -rhoE '"BOOMERANG(_[A-Z_]+)?"' "$root/box2d_glue" "$root/plugin" | tr -d '"' | sort -u |
-    grep -vx -e BOOMERANG_COUNTS -e BOOMERANG_EVERYWHERE -e BOOMERANG_PAIRS_BY >"$room/read"
-sed -nE 's/^\| `(BOOMERANG[A-Z_]*)[`=].*/\1/p' "$page" | sort -u >"$room/table"
-[ -s "$room/table" ] && diff "$room/read" "$room/table" || fail "the library reads other variables (<) than the table of $page says (>)"
+    grep -vx -e BOOMERANG_COUNTS -e BOOMERANG_EVERYWHERE -e BOOMERANG_PAIRS_BY >"$temp/read"
+sed -nE 's/^\| `(BOOMERANG[A-Z_]*)[`=].*/\1/p' "$page" | sort -u >"$temp/table"
+[ -s "$temp/table" ] && diff "$temp/read" "$temp/table" || fail "the library reads other variables (<) than the table of $page says (>)"
 ! grep -nE 'BOOMERANG_(COUNTS|EVERYWHERE|PAIRS_BY)' "$root"/README.md "$root"/docs/*.md || fail "a page has a variable of the tests"
 
 # --- CONTRIBUTING.md
@@ -88,7 +88,7 @@ wrong() {
         grep -q "^build $name: phony" "$build/build.ninja" || echo "no target $name"
     done
     for name in ${names//|/ }; do
-        grep -q "^ *Test *#[0-9]*: $name\$" "$room/tests" || echo "no test $name"
+        grep -q "^ *Test *#[0-9]*: $name\$" "$temp/tests" || echo "no test $name"
     done
     for name in $(sed -n 's/^\(\.[^ ]*\) .*/\1/p' <<<"$block"); do
         [ -x "$root/$name" ] || echo "no command $name"
@@ -96,10 +96,10 @@ wrong() {
 }
 # taken_back FILE: can the diff of a page be taken back from the tree?
 taken_back() {
-    sed -n '/^```diff$/,/^```$/{/^```/!p}' "$1" >"$room/diff"
-    [ -s "$room/diff" ] && patch --dry-run --reverse --force --fuzz=0 -p1 -d "$root" -i "$room/diff" >/dev/null
+    sed -n '/^```diff$/,/^```$/{/^```/!p}' "$1" >"$temp/diff"
+    [ -s "$temp/diff" ] && patch --dry-run --reverse --force --fuzz=0 -p1 -d "$root" -i "$temp/diff" >/dev/null
 }
-ctest --test-dir "$build" -N >"$room/tests"
+ctest --test-dir "$build" -N >"$temp/tests"
 said=$(wrong "$root/CONTRIBUTING.md")
 [ -z "$said" ] || fail "CONTRIBUTING.md: $said"
 said=$(wrong "$(changed 's/test_budget/test_budgets/g; s|^\./tests/run|./tests/walk|' CONTRIBUTING.md)" | paste -s -d ,)
@@ -123,11 +123,11 @@ versions() {
 one_version() { [ "$(versions "$1" | wc -l)" -eq 4 ] && [ "$(versions "$1" | cut -d ' ' -f 2 | sort -u | wc -l)" -eq 1 ]; }
 one_version "$root" || fail "versions differ: $(versions "$root")"
 places=(CMakeLists.txt CITATION.cff CHANGELOG.md core/python/boomerang/__init__.py)
-(cd "$root" && cp --parents "${places[@]}" "$room")
+(cd "$root" && cp --parents "${places[@]}" "$temp")
 for file in "${places[@]}"; do
     changed '/project\(|^version|__version__|^## \[/s/[0-9]+\.[0-9]+\.[0-9]+/77.0.0/' "$file" >/dev/null
-    ! one_version "$room" || fail "the control: another version in $file is not noticed"
-    cp "$root/$file" "$room/$file"
+    ! one_version "$temp" || fail "the control: another version in $file is not noticed"
+    cp "$root/$file" "$temp/$file"
 done
 [ "$failed" -eq 0 ] && echo passed
 exit "$failed"

@@ -18,9 +18,9 @@ def places(page):
     """(file, function, tag, statement) of each place where the table wants a tag."""
     for row in re.findall(r"^\| (.*) \|$", page.partition("<!-- statements -->\n")[2].partition("\n\n")[0], re.M)[2:]:
         tag, says, code, test, _ = row.split(" | ")
-        for room, column in (("core/", code), ("tests/", test)):
+        for folder, column in (("core/", code), ("tests/", test)):
             for file, name in re.findall(r"`(.*?)`: `(.*?)`", column) or [("", "")]:
-                yield room + file, name, re.sub(r" \([a-z][a-z0-9-]+\)$", "", tag), says + "."
+                yield folder + file, name, re.sub(r" \([a-z][a-z0-9-]+\)$", "", tag), says + "."
 
 
 def tags(file, text):
@@ -49,7 +49,7 @@ def wrong(texts):
                      [f"{file}: {name} has a tag that no row of the table has: {tag}: {says}" for file, name, tag, says in there - asked])
 
 
-texts = {str(file.relative_to(ROOT)): file.read_text() for room in ("core", "tests/claims") for file in (ROOT / room).rglob("*")
+texts = {str(file.relative_to(ROOT)): file.read_text() for folder in ("core", "tests/claims") for file in (ROOT / folder).rglob("*")
          if file.suffix in (".c", ".h", ".cpp")}
 texts[TABLE] = (ROOT / TABLE).read_text()
 failed = wrong(texts)

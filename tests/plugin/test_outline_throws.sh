@@ -11,8 +11,8 @@
 set -uo pipefail
 program=${1:?}
 throws=${BMR_OUTLINE_THROWS:-30000}
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
+temp=$(mktemp -d)
+trap 'rm -rf "$temp"' EXIT
 failures=0
 unset BOOMERANG BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 
@@ -22,10 +22,10 @@ fail() {
 }
 
 # play NAME MODE FORM THROWS
-play() { BOOMERANG=$2 "$program" "$3" "$4" >"$room/$1" 2>"$room/err" || fail "$1: exit status $?"; }
+play() { BOOMERANG=$2 "$program" "$3" "$4" >"$temp/$1" 2>"$temp/err" || fail "$1: exit status $?"; }
 
 # count NAME WHAT: of all rooms.
-count() { sed -n "s/^all: .* \([0-9]*\) $2.*/\1/p" "$room/$1"; }
+count() { sed -n "s/^all: .* \([0-9]*\) $2.*/\1/p" "$temp/$1"; }
 
 few=$((throws / 10))
 play outlines on outlines "$throws"
@@ -33,13 +33,13 @@ play pieces on pieces "$throws"
 for mode in off on verify; do
     play "few, $mode" "$mode" outlines "$few"
 done
-cat "$room/outlines"
-sed -n 's/^all/the same pieces without seams/p' "$room/pieces"
+cat "$temp/outlines"
+sed -n 's/^all/the same pieces without seams/p' "$temp/pieces"
 
 for mode in on verify; do
-    cmp -s "$room/few, off" "$room/few, $mode" || fail "$mode: other bits than with Boomerang off"
+    cmp -s "$temp/few, off" "$temp/few, $mode" || fail "$mode: other bits than with Boomerang off"
 done
-grep -q '^boomerang: verified [1-9][0-9,]* answers, 0 differ$' "$room/err" || fail "verify: $(cat "$room/err")"
+grep -q '^boomerang: verified [1-9][0-9,]* answers, 0 differ$' "$temp/err" || fail "verify: $(cat "$temp/err")"
 [ "$(count outlines dropped)" -le "$(count pieces dropped)" ] || fail "more impacts were dropped than with plain pieces"
 # Both lose what Box2D's search for impacts misses. Counts of rare events: three deviations of their difference.
 awk -v ours="$(count outlines lost)" -v plain="$(count pieces lost)" 'BEGIN { exit !(ours <= plain + 3 * sqrt(ours + plain)) }' ||

@@ -6,28 +6,28 @@
 #   test_plugin.sh PLUGIN LIBBOX2D DIRECTORY-OF-THE-PROGRAMS SOURCES-OF-THE-PLUGIN
 set -uo pipefail
 plugin=${1:?} box2d=${2:?} bin=${3:?} source=${4:?}
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
+temp=$(mktemp -d)
+trap 'rm -rf "$temp"' EXIT
 failures=0
 unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 
 fail() {
     failures=$((failures + 1))
     printf 'FAILED: %s\n' "$1"
-    [ ! -s "$room/err" ] || sed 's/^/    stderr: /' "$room/err" | tail -n 5
+    [ ! -s "$temp/err" ] || sed 's/^/    stderr: /' "$temp/err" | tail -n 5
 }
 
-# game "PROGRAM [ARGUMENT]..." [VARIABLE=VALUE]...: runs it into $room/out and $room/err; what the library counts into
-# $room/counts, where it comes to work.
+# game "PROGRAM [ARGUMENT]..." [VARIABLE=VALUE]...: runs it into $temp/out and $temp/err; what the library counts into
+# $temp/counts, where it comes to work.
 game() {
     local words
     read -ra words <<<"$1"
     shift
-    : >"$room/counts"
+    : >"$temp/counts"
     local status=0
-    env BOOMERANG_COUNTS="$room/counts" "$@" "$bin/${words[0]}" "${words[@]:1}" >"$room/out" 2>"$room/err" || status=$?
-    grep '^boomerang: [0-9]* steps, ' "$room/err" >"$room/last_line"
-    sed -i '/^boomerang: [0-9]* steps, /d' "$room/err"
+    env BOOMERANG_COUNTS="$temp/counts" "$@" "$bin/${words[0]}" "${words[@]:1}" >"$temp/out" 2>"$temp/err" || status=$?
+    grep '^boomerang: [0-9]* steps, ' "$temp/err" >"$temp/last_line"
+    sed -i '/^boomerang: [0-9]* steps, /d' "$temp/err"
     return "$status"
 }
 
@@ -35,10 +35,10 @@ game() {
 plays_as_stock() {
     local played=$1 mode
     shift
-    env "$bin"/$played >"$room/stock_of_it" 2>"$room/err" || fail "$played: failed without the plugin"
+    env "$bin"/$played >"$temp/stock_of_it" 2>"$temp/err" || fail "$played: failed without the plugin"
     for mode in on verify; do
         game "$played" LD_PRELOAD="$plugin" BOOMERANG="$mode" "$@" || fail "$played, $mode: exit status $?"
-        cmp -s "$room/out" "$room/stock_of_it" || fail "$played, $mode: other output than stock's"
+        cmp -s "$temp/out" "$temp/stock_of_it" || fail "$played, $mode: other output than stock's"
         if [ "$mode" = verify ]; then verified "$played"; else quiet "$played, $mode"; fi
         at_work "$played, $mode"
         [ "$(number differences)" -eq 0 ] || fail "$played, $mode: differences"
@@ -48,64 +48,64 @@ plays_as_stock() {
 # number NAME: what was counted of it.
 number() {
     local found
-    found=$(sed -n "s/^$1 //p" "$room/counts")
+    found=$(sed -n "s/^$1 //p" "$temp/counts")
     echo "${found:-0}"
 }
 
-same_output() { cmp -s "$room/out" "$room/stock" || fail "$1: other output than stock's"; }
-quiet() { [ ! -s "$room/err" ] || fail "$1: something on stderr"; }
+same_output() { cmp -s "$temp/out" "$temp/stock" || fail "$1: other output than stock's"; }
+quiet() { [ ! -s "$temp/err" ] || fail "$1: something on stderr"; }
 # verified WHAT: on stderr is what mode verify says when all is well, once for each process that verified, and no more.
 verified() {
-    grep -q '^boomerang: verified [1-9][0-9,]* answers, 0 differ$' "$room/err" || fail "$1: it does not say what was verified"
-    grep -v '^boomerang: verified [0-9,]* answers, 0 differ$' "$room/err" && fail "$1: something else on stderr"
+    grep -q '^boomerang: verified [1-9][0-9,]* answers, 0 differ$' "$temp/err" || fail "$1: it does not say what was verified"
+    grep -v '^boomerang: verified [0-9,]* answers, 0 differ$' "$temp/err" && fail "$1: something else on stderr"
 }
 at_work() { [ "$(number evaluations)" -gt 0 ] || fail "$1: the plugin is not at work"; }
-at_rest() { [ ! -s "$room/counts" ] || fail "$1: the plugin is at work"; }
+at_rest() { [ ! -s "$temp/counts" ] || fail "$1: the plugin is at work"; }
 one_line() {
-    [ "$(wc -l <"$room/err")" -eq 1 ] || fail "$1: not one line on stderr"
-    grep -q "$2" "$room/err" || fail "$1: stderr lacks /$2/"
+    [ "$(wc -l <"$temp/err")" -eq 1 ] || fail "$1: not one line on stderr"
+    grep -q "$2" "$temp/err" || fail "$1: stderr lacks /$2/"
 }
 
 test_exported_symbols_are_hooks_and_the_api() {
     # (Versions have symbols of their own, which are absolute.)
-    nm -D --defined-only "$plugin" | awk '$(NF - 1) != "A" { print $NF }' | LC_ALL=C sort >"$room/versioned"
-    sed 's/@.*//' "$room/versioned" >"$room/exported"
+    nm -D --defined-only "$plugin" | awk '$(NF - 1) != "A" { print $NF }' | LC_ALL=C sort >"$temp/versioned"
+    sed 's/@.*//' "$temp/versioned" >"$temp/exported"
     { printf '%s\n' _ZN7b2WorldD1Ev _ZN7b2WorldD2Ev; grep -o '_Z[A-Za-z0-9_]*' "$source/../box2d_glue/start/hook_list.h"; } |
-        LC_ALL=C sort >"$room/hooks"
-    [ "$(wc -l <"$room/hooks")" -gt 10 ] || fail "no hooks found"
-    grep -v '3bmr\|^bmr_' "$room/exported" | diff "$room/hooks" - >"$room/err" || fail "hooks differ from hook_list.h (< listed, > exported)"
+        LC_ALL=C sort >"$temp/hooks"
+    [ "$(wc -l <"$temp/hooks")" -gt 10 ] || fail "no hooks found"
+    grep -v '3bmr\|^bmr_' "$temp/exported" | diff "$temp/hooks" - >"$temp/err" || fail "hooks differ from hook_list.h (< listed, > exported)"
     # They stand in front of functions that Box2D really has.
-    nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$room/box2d"
-    LC_ALL=C comm -23 "$room/hooks" "$room/box2d" | grep . >"$room/err" && fail "in front of nothing"
+    nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$temp/box2d"
+    LC_ALL=C comm -23 "$temp/hooks" "$temp/box2d" | grep . >"$temp/err" && fail "in front of nothing"
     # The API is what its headers declare, and no more.
-    grep -h '3bmr' "$room/exported" | c++filt -p | sed -E 's/^(vtable|typeinfo|typeinfo name) for //; s/^(bmr::[A-Za-z0-9_:~]*).*/\1/' |
-        sed -E 's/.*:://; s/^~//' | LC_ALL=C sort -u >"$room/api"
-    [ "$(wc -l <"$room/api")" -gt 30 ] || fail "no API found"
+    grep -h '3bmr' "$temp/exported" | c++filt -p | sed -E 's/^(vtable|typeinfo|typeinfo name) for //; s/^(bmr::[A-Za-z0-9_:~]*).*/\1/' |
+        sed -E 's/.*:://; s/^~//' | LC_ALL=C sort -u >"$temp/api"
+    [ "$(wc -l <"$temp/api")" -gt 30 ] || fail "no API found"
     while read -r name; do
         grep -rqwF -- "${name#operator}" "$source/include" "$source/../box2d_glue/include" "$source/../box2d_glue/start" "$source/../box2d_glue/debug" ||
             echo "$name"
-    done <"$room/api" >"$room/err"
-    [ ! -s "$room/err" ] || fail "exported, and in no header"
+    done <"$temp/api" >"$temp/err"
+    [ ! -s "$temp/err" ] || fail "exported, and in no header"
     # Loaders find them all, linkers none.
-    grep -v '3bmr\|^bmr_' "$room/versioned" | grep -v '[^@]@BOOMERANG_HOOKS$' >"$room/err" && fail "hooks that a linker would take"
+    grep -v '3bmr\|^bmr_' "$temp/versioned" | grep -v '[^@]@BOOMERANG_HOOKS$' >"$temp/err" && fail "hooks that a linker would take"
     readelf -VW "$plugin" | grep -q 'Index: 2 .*Name: BOOMERANG_HOOKS$' || fail "hooks that loaders pass over"
 }
 
 test_needed_libraries_are_the_least() {
-    readelf -d "$plugin" | sed -n 's/.*(NEEDED).*\[\(.*\)\].*/\1/p' | LC_ALL=C sort >"$room/needed"
-    printf '%s\n' libc.so.6 libgcc_s.so.1 libm.so.6 libstdc++.so.6 | diff - "$room/needed" >"$room/err" ||
+    readelf -d "$plugin" | sed -n 's/.*(NEEDED).*\[\(.*\)\].*/\1/p' | LC_ALL=C sort >"$temp/needed"
+    printf '%s\n' libc.so.6 libgcc_s.so.1 libm.so.6 libstdc++.so.6 | diff - "$temp/needed" >"$temp/err" ||
         fail "other libraries are needed"
     readelf -d "$plugin" | grep -q 'SONAME.*\[libboomerang_box2d\.so\.[0-9]*\]' || fail "no versioned soname"
 }
 
 test_references_to_box2d_are_weak_and_listed() {
-    nm -D --undefined-only "$plugin" | awk '{ sub(/@.*/, "", $NF); print $NF, $(NF - 1) }' | LC_ALL=C sort >"$room/undefined"
-    nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$room/box2d"
-    LC_ALL=C join "$room/undefined" "$room/box2d" >"$room/references"
-    [ -s "$room/references" ] || fail "no references found"
-    grep ' U$' "$room/references" >"$room/err" && fail "strong references to Box2D: add them to weak_box2d.h"
-    sed -n 's/^ *\(FUNCTION\|DATA\|SIGN\)(\([A-Za-z0-9_]*\).*/\2/p' "$source/interposed/weak_box2d.h" | LC_ALL=C sort >"$room/known"
-    LC_ALL=C comm -23 "$room/known" "$room/box2d" | grep . >"$room/err" && fail "listed, but Box2D has no such symbol"
+    nm -D --undefined-only "$plugin" | awk '{ sub(/@.*/, "", $NF); print $NF, $(NF - 1) }' | LC_ALL=C sort >"$temp/undefined"
+    nm -D --defined-only "$box2d" | awk '{ print $NF }' | LC_ALL=C sort >"$temp/box2d"
+    LC_ALL=C join "$temp/undefined" "$temp/box2d" >"$temp/references"
+    [ -s "$temp/references" ] || fail "no references found"
+    grep ' U$' "$temp/references" >"$temp/err" && fail "strong references to Box2D: add them to weak_box2d.h"
+    sed -n 's/^ *\(FUNCTION\|DATA\|SIGN\)(\([A-Za-z0-9_]*\).*/\2/p' "$source/interposed/weak_box2d.h" | LC_ALL=C sort >"$temp/known"
+    LC_ALL=C comm -23 "$temp/known" "$temp/box2d" | grep . >"$temp/err" && fail "listed, but Box2D has no such symbol"
 }
 
 test_preloaded_is_on_unless_told_off() {
@@ -123,8 +123,8 @@ test_preloaded_is_on_unless_told_off() {
         at_rest "preloaded, $mode"
     done
     # Named by a link or another path: by what is loaded, not by the variable alone.
-    ln -sf "$plugin" "$room/other-name.so"
-    game plain_game LD_PRELOAD="$room/other-name.so"
+    ln -sf "$plugin" "$temp/other-name.so"
+    game plain_game LD_PRELOAD="$temp/other-name.so"
     same_output "preloaded by another name"
     at_work "preloaded by another name"
 }
@@ -163,7 +163,7 @@ test_verify_compares_and_finds_nothing() {
     game plain_game LD_PRELOAD="$plugin" BOOMERANG=verify
     same_output verify
     local said
-    said=$(sed -n 's/^boomerang: verified \([0-9]*\) answers, 0 differ$/\1/p' "$room/err")
+    said=$(sed -n 's/^boomerang: verified \([0-9]*\) answers, 0 differ$/\1/p' "$temp/err")
     one_line verify 'boomerang: verified [1-9][0-9]* answers, 0 differ$'
     [ "$said" = "$(number verified)" ] || fail "verify: says $said, counted $(number verified)"
     [ "$(number verified)" -gt 10000 ] || fail "verify: next to nothing was compared"
@@ -192,7 +192,7 @@ test_what_is_announced_is_what_is_reached() {
 
 # last_line WHAT PATTERN: what is said when the process ends.
 last_line() {
-    [ "$(wc -l <"$room/last_line")" -eq 1 ] && grep -qE "$2" "$room/last_line" || fail "$1: at the end it says: $(cat "$room/last_line")"
+    [ "$(wc -l <"$temp/last_line")" -eq 1 ] && grep -qE "$2" "$temp/last_line" || fail "$1: at the end it says: $(cat "$temp/last_line")"
 }
 
 test_the_last_line_says_what_steps_took() {
@@ -205,11 +205,11 @@ test_the_last_line_says_what_steps_took() {
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1 BOOMERANG_STEPS=100
     last_line "of the first steps" "${steps/240/100}"
     game plain_game LD_PRELOAD="$plugin"
-    [ ! -s "$room/last_line" ] || fail "not asked, and said all the same"
+    [ ! -s "$temp/last_line" ] || fail "not asked, and said all the same"
     # A game that is ended from outside says it, too.
-    (LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1 BOOMERANG=off exec "$bin/odd_game" endless 2>"$room/last_line" >"$room/ready") &
+    (LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1 BOOMERANG=off exec "$bin/odd_game" endless 2>"$temp/last_line" >"$temp/ready") &
     local game=$! status=0
-    while ! [ -s "$room/ready" ]; do sleep 0.05; done
+    while ! [ -s "$temp/ready" ]; do sleep 0.05; done
     kill -TERM "$game"
     wait "$game" || status=$?
     [ "$status" -eq 143 ] || fail "ended by SIGTERM: exit status $status"
@@ -245,10 +245,10 @@ test_wrong_set_ups_get_one_line() {
 
 test_another_box2d_is_left_alone() {
     local status=0
-    LD_LIBRARY_PATH=$bin/strange "$bin/strange_game" >"$room/strange" || fail "the strange game does not run"
+    LD_LIBRARY_PATH=$bin/strange "$bin/strange_game" >"$temp/strange" || fail "the strange game does not run"
     game strange_game LD_PRELOAD="$plugin" LD_LIBRARY_PATH="$bin/strange" || status=$?
     [ "$status" -eq 0 ] || fail "a Box2D without symbols: exit status $status"
-    cmp -s "$room/out" "$room/strange" || fail "a Box2D without symbols: other output"
+    cmp -s "$temp/out" "$temp/strange" || fail "a Box2D without symbols: other output"
     one_line "a Box2D without symbols" 'not at work, Box2D runs as it is: the Box2D of this process lacks _Z'
     at_rest "a Box2D without symbols"
     game plain_game LD_PRELOAD="$plugin:$bin/libother_sizes.so"
@@ -262,25 +262,25 @@ test_memory_may_be_the_programs_own() { plays_as_stock own_memory_game; }
 test_programs_without_box2d_run_as_ever() {
     local status=0
     game no_game LD_PRELOAD="$plugin" BOOMERANG=on || status=$?
-    [ "$status" -eq 7 ] && [ "$(cat "$room/out")" = "no game" ] || fail "no game: changed"
+    [ "$status" -eq 7 ] && [ "$(cat "$temp/out")" = "no game" ] || fail "no game: changed"
     quiet "no game"
     game vendored_game LD_PRELOAD="$plugin" || fail "Box2D inside the program: failed"
     quiet "Box2D inside the program"
     at_rest "Box2D inside the program"
     game vendored_game LD_PRELOAD="$plugin" BOOMERANG_VERBOSE=1
     one_line "Box2D inside the program, verbose" 'not used: .* never called b2World::Step through this library\. If .*, use boomerang_accelerate()$'
-    LD_PRELOAD=$plugin /bin/ls / >"$room/out" 2>"$room/err" || fail "ls failed"
+    LD_PRELOAD=$plugin /bin/ls / >"$temp/out" 2>"$temp/err" || fail "ls failed"
     quiet ls
 }
 
 test_programs_keep_the_box2d_inside_them() {
     local game setting
-    "$bin/vendored_game" >"$room/strange" || fail "the game with a Box2D inside does not run"
+    "$bin/vendored_game" >"$temp/strange" || fail "the game with a Box2D inside does not run"
     for game in inside_game_{bfd,gold,lld}; do
         [ -e "$bin/$game" ] || continue
         for setting in '' on verify; do
             game "$game" BOOMERANG="$setting" || fail "$game, '$setting': exit status $?"
-            cmp -s "$room/out" "$room/strange" || fail "$game, '$setting': other output"
+            cmp -s "$temp/out" "$temp/strange" || fail "$game, '$setting': other output"
             quiet "$game, '$setting'"
             at_rest "$game, '$setting'"
         done
@@ -291,11 +291,11 @@ test_programs_keep_the_box2d_inside_them() {
 
 test_no_box2d_need_be_there() {
     local status=0
-    mkdir -p "$room/broken"
-    : >"$room/broken/libbox2d.so.2" # whoever asks for it does not start
-    game plain_game LD_LIBRARY_PATH="$room/broken" && fail "control: a game runs with a libbox2d that is none"
-    game no_game LD_PRELOAD="$plugin" LD_LIBRARY_PATH="$room/broken" BOOMERANG=on || status=$?
-    [ "$status" -eq 7 ] && [ "$(cat "$room/out")" = "no game" ] || fail "no game, no libbox2d: changed"
+    mkdir -p "$temp/broken"
+    : >"$temp/broken/libbox2d.so.2" # whoever asks for it does not start
+    game plain_game LD_LIBRARY_PATH="$temp/broken" && fail "control: a game runs with a libbox2d that is none"
+    game no_game LD_PRELOAD="$plugin" LD_LIBRARY_PATH="$temp/broken" BOOMERANG=on || status=$?
+    [ "$status" -eq 7 ] && [ "$(cat "$temp/out")" = "no game" ] || fail "no game, no libbox2d: changed"
     quiet "no game, no libbox2d"
 }
 
@@ -303,9 +303,9 @@ test_no_box2d_need_be_there() {
 played() {
     local module=$bin/$1.so what=$2
     shift 2
-    "$bin/host" "$module" >"$room/stock_of_it" || fail "$what: failed without the plugin"
+    "$bin/host" "$module" >"$temp/stock_of_it" || fail "$what: failed without the plugin"
     game "host $module" "$@" || fail "$what: exit status $?"
-    cmp -s "$room/out" "$room/stock_of_it" || fail "$what: other output"
+    cmp -s "$temp/out" "$temp/stock_of_it" || fail "$what: other output"
 }
 
 test_modules_keep_their_own_box2d() {
@@ -329,7 +329,7 @@ test_modules_keep_their_own_box2d() {
     done
     # Control, and the limit: where there are two, calls by name all go to the one that is in search order.
     game "host $bin/libprivate_2.so" LD_PRELOAD="$plugin:$box2d" BOOMERANG=off
-    grep -q 'steps 10' "$room/out" && fail "control: another Box2D in front changes nothing"
+    grep -q 'steps 10' "$temp/out" && fail "control: another Box2D in front changes nothing"
 }
 
 # A host closes a game and opens the next version of its file: the library keeps none of them.
@@ -337,12 +337,12 @@ test_games_are_opened_again() {
     local kind setting
     for kind in private sharing; do
         local versions=("$bin/lib${kind}_1.so" "$bin/lib${kind}_2.so" "$bin/lib${kind}_3.so")
-        "$bin/host" as "$room/game.so" "${versions[@]}" >"$room/stock_of_it" || fail "$kind: failed without the plugin"
-        [ "$(sort -u "$room/stock_of_it" | wc -l)" -eq 3 ] || fail "$kind: control: not three versions"
+        "$bin/host" as "$temp/game.so" "${versions[@]}" >"$temp/stock_of_it" || fail "$kind: failed without the plugin"
+        [ "$(sort -u "$temp/stock_of_it" | wc -l)" -eq 3 ] || fail "$kind: control: not three versions"
         for setting in '' off on verify; do
-            game "host as $room/game.so ${versions[*]}" LD_PRELOAD="$plugin" BOOMERANG="$setting" ||
+            game "host as $temp/game.so ${versions[*]}" LD_PRELOAD="$plugin" BOOMERANG="$setting" ||
                 fail "$kind, '$setting': exit status $?"
-            cmp -s "$room/out" "$room/stock_of_it" || fail "$kind, '$setting': other versions were played"
+            cmp -s "$temp/out" "$temp/stock_of_it" || fail "$kind, '$setting': other versions were played"
             quiet "$kind, '$setting'"
         done
     done
@@ -353,9 +353,9 @@ test_games_are_opened_again() {
 test_worlds_are_stepped_to_the_very_end() {
     plays_as_stock "odd_game ending" MALLOC_PERTURB_=165
     command -v valgrind >/dev/null || return 0
-    LD_PRELOAD=$plugin valgrind -q --error-exitcode=9 "$bin/odd_game" ending >"$room/out" 2>"$room/err" ||
+    LD_PRELOAD=$plugin valgrind -q --error-exitcode=9 "$bin/odd_game" ending >"$temp/out" 2>"$temp/err" ||
         fail "odd_game ending: valgrind has something to say"
-    cmp -s "$room/out" "$room/stock_of_it" || fail "odd_game ending: other output under valgrind"
+    cmp -s "$temp/out" "$temp/stock_of_it" || fail "odd_game ending: other output under valgrind"
 }
 
 test_forked_games_play_on() {
@@ -369,21 +369,21 @@ test_forked_games_play_on() {
     one_line "forked, verbose" 'boomerang: on'
     game "odd_game forking 30 40" LD_PRELOAD="$plugin" BOOMERANG=verify
     verified "forked, verify"
-    [ "$(wc -l <"$room/err")" -eq 1 ] || fail "forked, verify: not the parent's line alone"
+    [ "$(wc -l <"$temp/err")" -eq 1 ] || fail "forked, verify: not the parent's line alone"
 }
 
 test_the_library_is_refused_where_it_is_opened_in_the_middle() {
     local mode
-    "$bin/odd_game" opening >"$room/stock_of_it" || fail "odd_game opening does not run"
+    "$bin/odd_game" opening >"$temp/stock_of_it" || fail "odd_game opening does not run"
     for mode in on verify; do
         game "odd_game opening $plugin" BOOMERANG="$mode" || fail "opened, $mode: failed"
-        cmp -s "$room/out" "$room/stock_of_it" || fail "opened, $mode: other output than stock's"
+        cmp -s "$temp/out" "$temp/stock_of_it" || fail "opened, $mode: other output than stock's"
         one_line "opened, $mode" 'not at work, .*libbox2d\.so.* is ahead of it\. '
         at_rest "opened, $mode"
     done
 }
 
-"$bin/plain_game" >"$room/stock" || { echo "plain_game does not run"; exit 1; }
+"$bin/plain_game" >"$temp/stock" || { echo "plain_game does not run"; exit 1; }
 for test in $(declare -F | awk '$3 ~ /^test_/ { print $3 }'); do
     before=$failures
     "$test"

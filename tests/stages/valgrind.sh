@@ -5,21 +5,21 @@
 # memcheck REFERENCE SCENE STEPS [PRELOADED]: nothing lost, nothing read that was not written, and the reference's hashes.
 # REFERENCE: stock or off, which is what there is of a scene of polygons that stock has not.
 memcheck() {
-    local program=$BMR_BUILD_DIR/bin/boomerang-scene-plugin room=$work/memcheck
-    mkdir -p "$room"
+    local program=$BMR_BUILD_DIR/bin/boomerang-scene-plugin temp=$work/memcheck
+    mkdir -p "$temp"
     if [ "$1" = stock ]; then
-        "$BMR_BUILD_DIR/bin/boomerang-scene" "$2" --steps "$3" | grep '^step ' >"$room/expected"
+        "$BMR_BUILD_DIR/bin/boomerang-scene" "$2" --steps "$3" | grep '^step ' >"$temp/expected"
     else
-        BOOMERANG=off "$program" "$2" --steps "$3" | grep '^step ' >"$room/expected"
+        BOOMERANG=off "$program" "$2" --steps "$3" | grep '^step ' >"$temp/expected"
     fi
-    [ "$(wc -l <"$room/expected")" -eq "$3" ] || return 1
+    [ "$(wc -l <"$temp/expected")" -eq "$3" ] || return 1
     if ! env ${4:+"LD_PRELOAD=$4"} BOOMERANG=on valgrind --quiet --error-exitcode=9 --leak-check=full \
         --errors-for-leak-kinds=definite,indirect,possible --num-callers=20 \
-        "$program" "$2" --steps "$3" >"$room/output" 2>"$room/errors"; then
-        [ -n "${4:-}" ] || head -n 60 "$room/errors"
+        "$program" "$2" --steps "$3" >"$temp/output" 2>"$temp/errors"; then
+        [ -n "${4:-}" ] || head -n 60 "$temp/errors"
         return 1
     fi
-    cmp "$room/expected" <(grep '^step ' "$room/output")
+    cmp "$temp/expected" <(grep '^step ' "$temp/output")
 }
 
 # A step that loses a kilobyte is found. (The library must see the step first, or it takes Box2D for another one.)

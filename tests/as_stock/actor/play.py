@@ -139,8 +139,8 @@ def compare(stage, verdicts, form, expected, found, base):
 def main():
     given = arguments()
     verdicts = Verdicts()
-    with tempfile.TemporaryDirectory() as room, concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
-        traps = f"{room}/traps.so"
+    with tempfile.TemporaryDirectory() as temp, concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
+        traps = f"{temp}/traps.so"
         subprocess.run(["cc", "-shared", "-fPIC", "-o", traps, str(ROOT / "tests/stages/determinism/traps.c"), "-lm"], check=True)
         stage = Stage(given, traps)
         wanted = given.forms.split(",")

@@ -7,8 +7,8 @@
 # plugin that did nothing would play every game as stock does. Do both Box2Ds, and the lanes, differ as they are said to?
 set -uo pipefail
 build=${1:?} plugin=${2:?}
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
+temp=$(mktemp -d)
+trap 'rm -rf "$temp"' EXIT
 # shellcheck source=tests/kit/holds.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../kit/holds.sh"
 unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
@@ -18,15 +18,15 @@ processor_for fused || exit 1
 
 # says VARIANT LINE [PRELOADED]: its one line begins so (of the accelerated game, where it is said what is preloaded), steps were counted, and edges asked.
 says() {
-    rm -f "$room/counts"
-    "${runner[@]}" -E "LD_PRELOAD=${3-$plugin}" -E BOOMERANG_VERBOSE=1 -E "BOOMERANG_COUNTS=$room/counts" \
-        "$build/$1/games_$1${3+_accelerated}" 97 >/dev/null 2>"$room/err"
-    grep -q "^boomerang: $2" "$room/err" && grep -q '^steps [1-9]' "$room/counts" && grep -q '^edge_checks [1-9]' "$room/counts"
+    rm -f "$temp/counts"
+    "${runner[@]}" -E "LD_PRELOAD=${3-$plugin}" -E BOOMERANG_VERBOSE=1 -E "BOOMERANG_COUNTS=$temp/counts" \
+        "$build/$1/games_$1${3+_accelerated}" 97 >/dev/null 2>"$temp/err"
+    grep -q "^boomerang: $2" "$temp/err" && grep -q '^steps [1-9]' "$temp/counts" && grep -q '^edge_checks [1-9]' "$temp/counts"
 }
 says_not() { ! says "$@"; }
 work='on; ahead of Box2D 2.4.1$'
 inside='on; compiled with Box2D 2.4.1$'
-refuses() { says fused "$work" || grep -q '^boomerang: not at work, .*: this Box2D fuses products' "$room/err"; }
+refuses() { says fused "$work" || grep -q '^boomerang: not at work, .*: this Box2D fuses products' "$temp/err"; }
 holds "unfused: at work" says unfused "$work"
 holds "fused: refused" refuses
 holds "unfused, accelerated: at work" says unfused "$inside" ''

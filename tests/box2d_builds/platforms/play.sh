@@ -10,9 +10,9 @@ set -uo pipefail
 build=${1:?} suffix=${2?}
 shift 2
 runner=("$@")
-room=$(mktemp -d)
-holds_shows=$room/said
-trap 'rm -rf "$room"' EXIT
+temp=$(mktemp -d)
+holds_shows=$temp/said
+trap 'rm -rf "$temp"' EXIT
 # shellcheck source=tests/kit/holds.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../kit/holds.sh"
 # What goes round for ever ends: many hundred times what a game needs of a processor, however busy the machine is.
@@ -23,17 +23,17 @@ unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 play() {
     local name=$1
     shift
-    (cd "$build/bin" && env "$@" "${runner[@]}" "./$name$suffix") 2>"$room/err" | tr -d '\r' >"$room/out"
+    (cd "$build/bin" && env "$@" "${runner[@]}" "./$name$suffix") 2>"$temp/err" | tr -d '\r' >"$temp/out"
     local status=${PIPESTATUS[0]}
-    tr -d '\r' <"$room/err" >"$room/said"
+    tr -d '\r' <"$temp/err" >"$temp/said"
     return "$status"
 }
-same() { play "$@" && cmp -s "$room/out" "$room/stock"; }
-says() { grep -q "^boomerang: $1" "$room/said"; }
+same() { play "$@" && cmp -s "$temp/out" "$temp/stock"; }
+says() { grep -q "^boomerang: $1" "$temp/said"; }
 
 holds "stock runs" play game_stock
-cp "$room/out" "$room/stock"
-holds "stock prints something" grep -q 'begun [1-9]' "$room/stock"
+cp "$temp/out" "$temp/stock"
+holds "stock prints something" grep -q 'begun [1-9]' "$temp/stock"
 holds "the same bits" same game
 holds "off" same game BOOMERANG=off
 holds "on" same game BOOMERANG=on BOOMERANG_VERBOSE=1
@@ -43,5 +43,5 @@ holds "verify compares, and nothing differs" says 'verified [1-9][0-9,]* answers
 holds "the interface" play consume_box2d
 # Control: stock says nothing of the kind.
 play game_stock BOOMERANG=on BOOMERANG_VERBOSE=1
-holds "control: a game without the plugin is noticed" test ! -s "$room/said"
+holds "control: a game without the plugin is noticed" test ! -s "$temp/said"
 all_hold "$build: "

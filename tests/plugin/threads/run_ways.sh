@@ -9,8 +9,8 @@
 set -u
 stock=$1 plugin=$2 library=${3:-}
 steps=$(awk -v scale="${BMR_TEST_SCALE:-1}" 'BEGIN { n = int(60 * scale); print n < 12 ? 12 : n }')
-room=$(mktemp -d)
-trap 'rm -rf "$room"' EXIT
+temp=$(mktemp -d)
+trap 'rm -rf "$temp"' EXIT
 unset BOOMERANG BOOMERANG_PAIRS_BY BOOMERANG_COUNTS BOOMERANG_VERBOSE LD_PRELOAD
 passed=0 failed=0
 
@@ -20,7 +20,7 @@ verdict() { # NAME STATUS
     else
         failed=$((failed + 1))
         echo "FAILED: $1"
-        grep -m 12 -v '^installed' "$room/err"
+        grep -m 12 -v '^installed' "$temp/err"
     fi
 }
 
@@ -29,46 +29,46 @@ verdict() { # NAME STATUS
 same() {
     local name=$1 expected=$2 installs=$3 program=$4 way=$5 count=$6 status=0
     shift 6
-    env "$@" timeout 1500 "$program" "$way" "$count" "$steps" >"$room/out" 2>"$room/err" || status=$?
-    cmp -s "$expected" "$room/out" || status=1
-    grep -q "^installed $installs\$" "$room/err" || status=1
-    [ "$status" -eq 0 ] || diff "$expected" "$room/out" | head -n 4
+    env "$@" timeout 1500 "$program" "$way" "$count" "$steps" >"$temp/out" 2>"$temp/err" || status=$?
+    cmp -s "$expected" "$temp/out" || status=1
+    grep -q "^installed $installs\$" "$temp/err" || status=1
+    [ "$status" -eq 0 ] || diff "$expected" "$temp/out" | head -n 4
     verdict "$name, $way on $count threads $*" "$status"
 }
 
-"$stock" one-by-one 1 "$steps" >"$room/stock" 2>"$room/err"
+"$stock" one-by-one 1 "$steps" >"$temp/stock" 2>"$temp/err"
 verdict "stock, one by one" $?
-BOOMERANG=on "$plugin" one-by-one 1 "$steps" >"$room/alone" 2>"$room/err"
+BOOMERANG=on "$plugin" one-by-one 1 "$steps" >"$temp/alone" 2>"$temp/err"
 verdict "the plugin, one by one" $?
-lines=$(wc -l <"$room/stock")
-[ "$lines" -ge $((16 * steps)) ] && [ "$(wc -l <"$room/alone")" -eq $((lines + 10 * steps)) ]
+lines=$(wc -l <"$temp/stock")
+[ "$lines" -ge $((16 * steps)) ] && [ "$(wc -l <"$temp/alone")" -eq $((lines + 10 * steps)) ]
 verdict "all worlds are there" $?
-head -n "$lines" "$room/alone" | cmp -s - "$room/stock"
+head -n "$lines" "$temp/alone" | cmp -s - "$temp/stock"
 verdict "one by one the plugin gives stock's hashes" $?
 # Control: what is compared tells one step from the next, and one world from another.
-[ "$(cut -d ' ' -f 3- "$room/stock" | sort -u | wc -l)" -gt $((lines / 2)) ]
+[ "$(cut -d ' ' -f 3- "$temp/stock" | sort -u | wc -l)" -gt $((lines / 2)) ]
 verdict "the hashes are not all the same" $?
 
 # The first steps start the library, on all threads at once.
 for way in at-once handed-over short-lived; do
-    same plugin "$room/alone" 0 "$plugin" "$way" 4 BOOMERANG=on
+    same plugin "$temp/alone" 0 "$plugin" "$way" 4 BOOMERANG=on
 done
-same plugin "$room/alone" 0 "$plugin" beside 4 BOOMERANG=on
-same plugin "$room/alone" 1 "$plugin" counted 3 BOOMERANG=on
-same plugin "$room/alone" 1 "$plugin" counted 3 BOOMERANG=verify
-same plugin "$room/alone" 0 "$plugin" handed-over 3 BOOMERANG=on BOOMERANG_PAIRS_BY=lazy-dudley
-same plugin "$room/alone" 0 "$plugin" handed-over 3 BOOMERANG=on BOOMERANG_PAIRS_BY=free-direction
+same plugin "$temp/alone" 0 "$plugin" beside 4 BOOMERANG=on
+same plugin "$temp/alone" 1 "$plugin" counted 3 BOOMERANG=on
+same plugin "$temp/alone" 1 "$plugin" counted 3 BOOMERANG=verify
+same plugin "$temp/alone" 0 "$plugin" handed-over 3 BOOMERANG=on BOOMERANG_PAIRS_BY=lazy-dudley
+same plugin "$temp/alone" 0 "$plugin" handed-over 3 BOOMERANG=on BOOMERANG_PAIRS_BY=free-direction
 if [ -n "$library" ]; then
-    same preloaded "$room/stock" 0 "$stock" at-once 4 LD_PRELOAD="$library"
-    same preloaded "$room/stock" 0 "$stock" handed-over 4 LD_PRELOAD="$library"
+    same preloaded "$temp/stock" 0 "$stock" at-once 4 LD_PRELOAD="$library"
+    same preloaded "$temp/stock" 0 "$stock" handed-over 4 LD_PRELOAD="$library"
 fi
 
 # The race to install takes place once in a process: many processes, of few steps.
 steps=4
-"$plugin" installing 1 $steps >"$room/alone" 2>"$room/err"
+"$plugin" installing 1 $steps >"$temp/alone" 2>"$temp/err"
 verdict "installed by one thread" $?
 for round in $(seq "$(awk -v scale="${BMR_TEST_SCALE:-1}" 'BEGIN { n = int(6 * scale); print n < 2 ? 2 : n }')"); do
-    same "plugin, round $round" "$room/alone" 1 "$plugin" installing 8
+    same "plugin, round $round" "$temp/alone" 1 "$plugin" installing 8
 done
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
