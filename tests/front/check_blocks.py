@@ -15,6 +15,7 @@ How a block is treated its language says, or the line above it:
     <!-- output of NAME -->    it is what the program NAME prints
     ```cpp                     compiled with what the page includes, and run with a body that falls
     ```cmake                   `recipes`
+    ```diff                    what it leaves stands in the files that it names
     ```sh                      each command of ours has the options that it is given"""
 import os
 import pathlib
@@ -91,6 +92,17 @@ class Checker:
     def quoted(self, block, name):
         assert any(block.code.strip("\n") in file.read_text() for file in self.files if file.as_posix().endswith(f"/{name}")), f"{name} has it otherwise"
 
+    def diff(self, block):
+        """A hunk that begins with @@ is in its file as it is; of a part without, all lines are there, in their order."""
+        for part in re.split(r"^--- a/", block.code, flags=re.M)[1:]:
+            name = part.split()[0]
+            there = ["", *(line.rstrip(" \\") for line in (self.root / name).read_text().splitlines()), ""]
+            hunks = re.split(r"^@@.*\n", part, flags=re.M)[1:]
+            for hunk in hunks or [part.partition("\n")[2]]:
+                lines, rest = [line[1:] for line in hunk.splitlines() if not line.startswith("-")], iter(there)
+                stands = "\n".join(["", *lines, ""]) in "\n".join(there) if hunks else all(line in rest for line in lines)
+                assert lines and stands, f"{name} has it otherwise"
+
     def example(self, pages, program):
         wrong, name, found = [], program.stem.removeprefix("example_"), set()
         for page, text in pages.items():
@@ -143,6 +155,8 @@ class Checker:
                     pass
                 elif block.language == "sh":
                     attempt(block, self.shell, block)
+                elif block.language == "diff":
+                    attempt(block, self.diff, block)
                 elif block.language == "cpp":
                     in_cpp.setdefault(page, []).append(block)
         for page, blocks in in_cpp.items():
@@ -214,8 +228,10 @@ def check_recipes(pages, root, box2d, work, build):
 # Blocks that do not work, for the controls, and what is said of each.
 BAD = {"recipes": ("```cmake\ncmake_minimum_required(VERSION 3.16)\nproject(game C CXX)\nset(BOX2D_BUILD_TESTBED OFF CACHE BOOL \"\")\nadd_subdirectory(box2d)\nboomerang_accelerate(box2d)\n```\n",
                    [r"a.md:2: .*Unknown CMake command"]),
-       "pages": ("```sh\nboomerang-testbed events --nope\n```\n<!-- from queries.c -->\n```c\nint x;\n```\n```cpp\nbmr::Nothing x;\n```\n```sh\n./tests/run --sometimes\n```\n",
-                 [r"a.md:2: .* has no --nope", r"a.md:6: queries.c has it otherwise", r"a.md:12: .* no --sometimes", r"a.md: .*Block0"]),
+       "pages": ("```sh\nboomerang-testbed events --nope\n```\n<!-- from queries.c -->\n```c\nint x;\n```\n```cpp\nbmr::Nothing x;\n```\n```sh\n./tests/run --sometimes\n```\n"
+                 "```diff\n--- a/README.md\n+# Boomerang\n+Bumerang\n```\n```diff\n--- a/README.md\n@@ -1 +1 @@\n+# Boomerang\n+## What is promised\n```\n",
+                 [r"a.md:2: .* has no --nope", r"a.md:6: queries.c has it otherwise", r"a.md:12: .* no --sometimes",
+                  r"a.md:15: README.md has", r"a.md:20: README.md has", r"a.md: .*Block0"]),
        "example": ("<!-- from NAME.c -->\n```c\nint x;\n```\n<!-- output of NAME -->\n```\n2\n```\n", [r"a.md:3: .* has it otherwise", r"a.md:7: it prints"]),
        "programs": ("<!-- file a.c -->\n```c\n#include <stdio.h>\nint main(void) { puts(\"1\"); }\n```\n```sh\ncc a.c -o a\n./a\ncc b.c\n```\n<!-- output of a -->\n```\n2\n```\n",
                     [r"a.md:7: .*b\.c", r"a.md:13: it prints\n1"])}
