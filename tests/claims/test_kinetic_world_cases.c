@@ -48,6 +48,35 @@ TEST(equal_boxes_exchange_their_velocities) {
     }
 }
 
+/// One turns so that its side is parallel to the other's when they meet, off the middle of both.
+TEST(sides_that_meet_flat_while_one_turns_part_as_they_came) {
+    own_stage *s = make_stage(BMR_OPEN, 0.0);
+    const double meet = 4.25, spin = 0.01;
+    fly(s, box(1.0), 0.0, 0.0, 1.0, 0.0, 0.0);
+    const bmr_pose start = bmr_pose_from_angle(bmr_vec2_make(10.0, 0.9), -spin * meet);
+    add_piece(s, box(0.5), bmr_piece_screw(0.0, start, bmr_vec2_make(-1.0, 0.0), spin), 0.0);
+    const bmr_world_totals before = bmr_world_get_totals(s->world);
+    advance(s, 2.0 * meet);
+    const bmr_world_totals after = bmr_world_get_totals(s->world);
+    assert_int_equal(s->count, 1);
+    const bmr_contact *c = &s->contacts[0];
+    assert_near(c->time, meet, 1e-6);
+    assert_int_equal(c->count, 2);
+    assert_true(fabs(c->approach[0] - c->approach[1]) > 0.5 * spin);
+    assert_near(after.energy, before.energy, 1e-12);
+    assert_near(after.momentum.x, before.momentum.x, 1e-12);
+    assert_near(after.angular, before.angular, 1e-10);
+    for (size_t i = 0; i < 2; i++) { // each end of the stretch parts as fast as it came
+        double x[2];
+        for (size_t body = 0; body < 2; body++) {
+            const bmr_body_state now = state_of(s, body ? c->b : c->a);
+            const double y = now.pose.position.y - now.velocity.y * (bmr_world_time(s->world) - c->time);
+            x[body] = now.velocity.x - now.spin * (c->points[i].y - y);
+        }
+        assert_near(x[1] - x[0], -c->approach[i], 1e-9);
+    }
+}
+
 TEST(a_ball_in_a_box_is_reflected_by_its_walls) {
     own_stage *s = make_stage(BMR_WALLED, 5.0);
     const bmr_polygon *b = box(1.0);
