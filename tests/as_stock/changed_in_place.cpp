@@ -13,7 +13,7 @@ using namespace as_stock;
 
 AS_STOCK_HOW(kMayBeSilent, "linked: shots hit links of a long chain in one step") {
     // Links that are a number of Fibonacci's apart fall on one place of a table that multiplies by the
-    // golden ratio: of these couples some do, wherever the chain's memory is.
+    // golden ratio: of these pairs some do, wherever the chain's memory is.
     constexpr int kShots = 16, kApart = 987, kLinks = kApart + kShots;
     const b2Vec2 link(-0.4f, 0.0f); // proofs end 500 m from the origin
     std::vector<b2Vec2> points;

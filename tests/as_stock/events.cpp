@@ -32,7 +32,7 @@ private:
     uint64_t m_counts[BMR_EVENT_KIND_COUNT] = {}, m_answers[5] = {};
 };
 
-using Lived = void (*)(Run &);
+using Play = void (*)(Run &);
 
 Witness *listening = nullptr; // Options are the process's, and so is who listens
 
@@ -99,44 +99,44 @@ void Witness::CheckCounts() {
 }
 
 /// Plays a scenario with a witness, in a child; what it printed.
-std::string Told(Lived lived, bmr::Options options = bmr::Options()) {
-    static Lived chosen;
-    chosen = lived;
+std::string Printed(Play play, bmr::Options options = bmr::Options()) {
+    static Play chosen;
+    chosen = play;
     options.onEvent = [](void *, const b2Body *a, const b2Body *b, const bmr_event &event) {
         listening->OnEvent(a, b, event);
     };
     bmr::internal::ObserveAnswers(
         [](const b2Contact &contact, bmr::Answer answer) { listening->OnAnswer(contact, answer); });
-    std::string told = InChild([](Run &run) { chosen(run); }, &options);
+    std::string printed = InChild([](Run &run) { chosen(run); }, &options);
     bmr::internal::ObserveAnswers(nullptr);
-    return told;
+    return printed;
 }
 
-/// The body is put there, and looked at; then these events are told.
-struct Look {
+/// The body is put there, and the world steps: these events follow.
+struct Moment {
     b2Vec2 at;
     const char *what, *events = "";
     int touching = -1; ///< contacts, where it is said
 };
-using Life = std::vector<Look>;
+using Life = std::vector<Moment>;
 
 void Live(Game &game, b2Body *body, const Life &life) {
-    for (const Look &look : life) {
-        listening->Say(look.what);
-        body->SetTransform(look.at, 0.0f);
+    for (const Moment &moment : life) {
+        listening->Say(moment.what);
+        body->SetTransform(moment.at, 0.0f);
         body->SetAwake(true);
         body->SetLinearVelocity({0.0f, 0.0f});
         body->SetAngularVelocity(0.0f);
         game.Step();
-        game.Stage(look.touching < 0 || game.Touching() == look.touching, look.what);
+        game.Stage(moment.touching < 0 || game.Touching() == moment.touching, moment.what);
     }
     listening->CheckCounts();
 }
 
 std::string TextOf(const Life &life) {
     std::string text;
-    for (const Look &look : life)
-        text += std::string("-- ") + look.what + "\n" + look.events;
+    for (const Moment &moment : life)
+        text += std::string("-- ") + moment.what + "\n" + moment.events;
     return text;
 }
 
@@ -156,7 +156,7 @@ struct Crowded : Watched {
     }
 };
 
-/// The lines of a text that tell of events, equal ones in a row counted; and what is broken.
+/// The lines of a text that are events, equal ones in a row counted; and what is broken.
 std::string EventsOf(const std::string &text) {
     std::string events, last;
     int count = 0;
@@ -184,7 +184,7 @@ std::string EventsOf(const std::string &text) {
 const Life kSmall = {
     {{1.6f, 0.0f}, "beside it", "contact start -1 0\n"},
     {{1.6f, 0.4f}, "along its side"},
-    {{1.525f, 0.4f}, "so near that it is looked at in every step"},
+    {{1.525f, 0.4f}, "so near that it is updated in every step"},
     {{1.525f, 0.5f}, "along its side"},
     {{1.56f, 1.56f}, "at its corner"},
     {{1.2f, 1.525f}, "around its corner", "contact push 0 0\n"},
@@ -229,7 +229,7 @@ const Life kBig = {
     {{3.6f, 0.3f}, "lower"},
     {{3.6f, -0.3f}, "beneath its end", "contact push 0 0\n"},
     {{0.0f, -0.7f}, "below it", "contact push 0 0\n"},
-    // A look does not follow so far; the proof that comes next starts anew.
+    // An update does not follow so far; the proof that comes next starts anew.
     {{0.0f, 0.7f}, "through it", "contact contact 0 0\ncontact leave 0 0\n"},
     {{0.1f, 0.7f}, "along it"},
     {{4.1f, 0.0f}, "end to end", "contact coarsen 0 -1\n"},
@@ -315,22 +315,22 @@ void PlayTips(Run &run) {
 } // namespace
 
 TEST_CASE("two boxes live as the header says") {
-    CHECK(EventsOf(Told(PlaySmall)) == TextOf(kSmall));
+    CHECK(EventsOf(Printed(PlaySmall)) == TextOf(kSmall));
 }
 
 TEST_CASE("two big polygons live as the header says") {
-    CHECK(EventsOf(Told(PlayBig)) == TextOf(kBig));
+    CHECK(EventsOf(Printed(PlayBig)) == TextOf(kBig));
 }
 
 TEST_CASE("with a structure of the paper two bodies have one, of their hulls") {
     const PairsBy by("free-direction");
-    CHECK(EventsOf(Told(PlayMany)) == TextOf(kMany));
+    CHECK(EventsOf(Printed(PlayMany)) == TextOf(kMany));
 }
 
 TEST_CASE("a sensor's contact lives as the header says") {
-    CHECK(EventsOf(Told(PlaySensor)) == TextOf(kSensor));
+    CHECK(EventsOf(Printed(PlaySensor)) == TextOf(kSensor));
 }
 
 TEST_CASE("what only a line of the table keeps apart leaves contact by it") {
-    CHECK(EventsOf(Told(PlayTips)) == TextOf(kTips));
+    CHECK(EventsOf(Printed(PlayTips)) == TextOf(kTips));
 }

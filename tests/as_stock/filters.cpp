@@ -146,7 +146,7 @@ AS_STOCK("ends: a filter ends contacts that the loop is still to come by") {
     });
     for (size_t i = 0; i < ones.size(); i += 4)
         ones[i]->SetTransform(ones[i]->GetPosition() + b2Vec2(0.4f, 0.0f), 0.0f);
-    const int told = game.listener.told;
+    const int before = game.listener.calls;
     game.Step(3);
-    game.TookPlace(game.listener.told - told, "contacts end");
+    game.TookPlace(game.listener.calls - before, "contacts end");
 }

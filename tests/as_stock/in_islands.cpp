@@ -8,15 +8,15 @@ using namespace as_stock;
 
 namespace {
 
-struct Told {};
+struct Thrown {};
 
 /// A step in the midst of another one, thrown out of at the next PreSolve.
 void StepAndThrow(Game &game, Run &run) {
-    game.listener.preSolve.Once([] { throw Told(); });
+    game.listener.preSolve.Once([] { throw Thrown(); });
     try {
         game.StepWithin();
         run.Print("!nothing was thrown");
-    } catch (const Told &) {
+    } catch (const Thrown &) {
     }
 }
 
@@ -37,12 +37,12 @@ AS_STOCK("caught: PostSolve has bodies meet in a step that ends by an exception"
             body->SetTransform(body->GetPosition() - b2Vec2(0.053f, 0.0f), 0.0f);
         game.listener.begin = [&](b2Contact *contact) {
             if (contact->GetFixtureB()->GetBody() == right[0])
-                throw Told();
+                throw Thrown();
         };
         try {
             game.StepWithin();
             run.Print("!nothing was thrown");
-        } catch (const Told &) {
+        } catch (const Thrown &) {
         }
         game.listener.begin = nullptr;
     });

@@ -186,21 +186,21 @@ AS_STOCK("small: a thread with a stack of 16 KiB steps") {
 
 AS_STOCK("thrown: a body's shape is changed again and again, and each time an exception ends a step in the "
          "midst of a step") {
-    struct Told {};
+    struct Thrown {};
     for (const int calls : {4, 18, 24}) {
         Bar game(run);
-        int told = 0;
+        int call = 0;
         const auto size = [&game](float half) { PolygonOf(game.bar)->SetAsBox(40.0f, half); };
         std::function<void()> outer = [&] {
-            if (++told > calls)
+            if (++call > calls)
                 return;
-            size(told == calls ? 0.1f + Bar::kGap : told % 2 == 0 ? 0.1f : 0.095f);
-            if (told == calls)
+            size(call == calls ? 0.1f + Bar::kGap : call % 2 == 0 ? 0.1f : 0.095f);
+            if (call == calls)
                 return;
-            game.listener.preSolve = [] { throw Told(); };
+            game.listener.preSolve = [] { throw Thrown(); };
             try {
                 game.StepWithin();
-            } catch (const Told &) {
+            } catch (const Thrown &) {
             }
             game.listener.preSolve = outer;
         };

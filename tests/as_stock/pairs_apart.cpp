@@ -135,7 +135,7 @@ AS_STOCK("sleepers that were moved meet in the very step in which one of them is
             moved.push_back(game.Box(place + b2Vec2(1.1f, 0.0f)));
         }
         game.Step(60);
-        game.Stage(!sleepers[0]->IsAwake() && game.world.GetContactCount() >= 16, "couples sleep, apart");
+        game.Stage(!sleepers[0]->IsAwake() && game.world.GetContactCount() >= 16, "pairs sleep, apart");
         for (const float there :
              {0.3f, -0.3f}) { // after each move the pair is due, and both of its bodies sleep
             for (b2Body *body : moved)
@@ -210,13 +210,13 @@ AS_STOCK("a loop over contacts that a listener's exception ends is none") {
 }
 
 TEST_CASE("more than 65,536 fixtures, each with a pair of its own") {
-    const Scenario couples = [](Run &run) {
-        constexpr int kCouples = 33000;
+    const Scenario pairs = [](Run &run) {
+        constexpr int kPairs = 33000;
         b2World world({0.0f, 0.0f});
         std::vector<b2Body *> movers;
         b2PolygonShape box;
         box.SetAsBox(0.4f, 0.4f);
-        for (int i = 0; i < kCouples; ++i) {
+        for (int i = 0; i < kPairs; ++i) {
             b2BodyDef def;
             const b2Vec2 place(4.0f * Real(i % 200 - 100), 4.0f * Real(i / 200 - 82));
             def.position = place;
@@ -234,20 +234,20 @@ TEST_CASE("more than 65,536 fixtures, each with a pair of its own") {
             run.Print("%d contacts, %d touching", world.GetContactCount(), touching);
         };
         for (int step = 0; step < 6; ++step) {
-            if (step == 3) // the last couples made, and with them rows of the highest numbers
+            if (step == 3) // the last pairs made, and with them rows of the highest numbers
                 for (size_t i = movers.size() - 40; i < movers.size(); i += 2)
                     movers[i]->SetTransform(movers[i]->GetPosition() - b2Vec2(0.07f, 0.0f), 0.0f);
             const Updates spent = Spent([&] { world.Step(1.0f / 60.0f, 1, 1); });
             if (run.Counts() && step > 1)
-                run.Expect(spent.watched == kCouples && spent.updates <= 20, "updates are spared");
+                run.Expect(spent.watched == kPairs && spent.updates <= 20, "updates are spared");
             print();
         }
     };
     bmr::Options options; // in one form: it takes a while
     options.statistics = true;
-    const std::string stock = InChild(couples);
+    const std::string stock = InChild(pairs);
     CHECK(stock.size() > 0);
-    CHECK(Difference(stock, InChild(couples, &options)) == "");
+    CHECK(Difference(stock, InChild(pairs, &options)) == "");
 }
 
 AS_STOCK("nothing is allocated for pairs that stay apart") {

@@ -135,7 +135,7 @@ TEST(a_normal_longer_than_1_is_refused) {
     }
 }
 
-TEST(the_audit_looks_where_the_two_points_of_a_window_tie) {
+TEST(the_audit_checks_where_the_two_points_of_a_window_tie) {
     // At either end of the bracket one point of the window is farther than the third corner. Straight up they
     // tie, and the corner may be above both.
     const bmr_vec2 window[2] = {{1.0, 0.0}, {-1.0, 0.0}}, low = {0.8, 0.6}, high = {-0.8, 0.6},

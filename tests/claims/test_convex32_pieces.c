@@ -188,20 +188,20 @@ TEST(an_edge_is_touched_by_faces_alone) {
 
 // ---- rays ----
 
-/// How a ray comes in that hits edge `edge` of the piece at half of its way, if not told otherwise.
-typedef struct entry_told {
+/// How a ray comes in that hits edge `edge` of the piece at half of its way, if nothing else is given.
+typedef struct entry_found {
     bmr_entry32 entry;
     double fraction;
     bmr_vec32 corner;
-} entry_told;
+} entry_found;
 
-static entry_told enter(const bmr_convex32_block *piece, float x1, float y1, float x2, float y2,
-                        uint32_t edge) {
+static entry_found enter(const bmr_convex32_block *piece, float x1, float y1, float x2, float y2,
+                         uint32_t edge) {
     const bmr_vec32 p1 = {x1, y1}, p2 = {x2, y2};
     const bmr_piece_ray32 ray = bmr_convex32_piece_ray(p1, p2, 2.0f);
-    entry_told told = {BMR_ENTRY_FACE, 0.5, {9.0f, 9.0f}};
-    told.entry = bmr_convex32_entry(piece, &ray, edge, &told.fraction, &told.corner);
-    return told;
+    entry_found found = {BMR_ENTRY_FACE, 0.5, {9.0f, 9.0f}};
+    found.entry = bmr_convex32_entry(piece, &ray, edge, &found.fraction, &found.corner);
+    return found;
 }
 
 TEST(a_ray_comes_in_by_faces_and_past_ends_of_inner_edges) {
@@ -209,11 +209,11 @@ TEST(a_ray_comes_in_by_faces_and_past_ends_of_inner_edges) {
     assert_int_equal(enter(piece, 0.5f, 0.5f, 0.5f, -0.5f, 2).entry, BMR_ENTRY_FACE);
     assert_int_equal(enter(piece, -0.5f, -0.5f, 0.5f, -0.5f, 3).entry, BMR_ENTRY_INNER);
     assert_int_equal(enter(piece, -0.5f, 0.499f, 0.5f, -0.501f, 3).entry, BMR_ENTRY_INNER);
-    const entry_told through = enter(piece, -0.5f, 0.5f, 0.5f, -0.5f, 3);
+    const entry_found through = enter(piece, -0.5f, 0.5f, 0.5f, -0.5f, 3);
     assert_int_equal(through.entry, BMR_ENTRY_CORNER);
     assert_true(through.corner.x == 0.0f && through.corner.y == 0.0f && through.fraction == 0.5);
     // Along the inner edge rounding says anything of where; it comes in at the end that is first.
-    const entry_told down = enter(piece, 0.0f, 0.25f, 0.0f, -1.25f, 3);
+    const entry_found down = enter(piece, 0.0f, 0.25f, 0.0f, -1.25f, 3);
     assert_int_equal(down.entry, BMR_ENTRY_CORNER);
     assert_true(down.corner.y == 0.0f && fabs(down.fraction - 1.0 / 6.0) < 1e-12);
     // From afar rounding is more.

@@ -50,7 +50,7 @@ struct Tally {
     std::size_t apart = 0, contact = 0, held = 0, stale = 0;
 };
 
-void Look(const bmr_kds_info *info, test_random *random, Tally *tally) {
+void Check(const bmr_kds_info *info, test_random *random, Tally *tally) {
     const double shifts[] = {0.0, 0.0, 100.0, 10000.0};
     const double shift = shifts[test_random_below(random, 4)];
     const Body a(RandomBody(random, shift)), b(OtherBody(info->domain, random, 0.5 * shift));
@@ -108,7 +108,7 @@ struct Border {
     std::size_t past = 0; ///< in contact beyond 1e-9 of the extents alone: the control
 };
 
-void LookAtBorder(const bmr_kds_info *info, test_random *random, Border *border) {
+void CheckBorder(const bmr_kds_info *info, test_random *random, Border *border) {
     const auto power = [random](double low, double high) {
         return std::pow(10.0, test_random_uniform(random, low, high));
     };
@@ -175,7 +175,7 @@ TEST_CASE("contact begins at the margin and ends at margin and hysteresis, up to
         CAPTURE(name);
         Border border;
         for (std::size_t round = 0; round < rounds; ++round)
-            LookAtBorder(info, &random, &border);
+            CheckBorder(info, &random, &border);
         CHECK(border.contacts > 0);
         CHECK(border.left > 0);
         past += border.past;
@@ -195,7 +195,7 @@ TEST_CASE(
         CAPTURE(name);
         Tally t;
         for (std::size_t round = 0; round < rounds; ++round)
-            Look(info, &random, &t);
+            Check(info, &random, &t);
         CHECK(t.apart > 0);
         if (t.exactly > 0)
             MESSAGE(name, " says apart within the margin by rounding: ", t.exactly);

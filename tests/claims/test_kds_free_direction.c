@@ -192,7 +192,7 @@ typedef struct hold {
 #define SHORT_PART (GAMMA / 16.0)
 #define WIDEST_SHORT (PI / 12.0)
 
-static void look_at_hold(void *context, const test_drive_event *event) {
+static void check_hold(void *context, const test_drive_event *event) {
     hold *h = context;
     bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
     const size_t count = bmr_kds_conditions(event->kds, conditions);
@@ -226,8 +226,7 @@ static hold hold_of(const char *name) {
         const test_path path = test_path_make(TEST_PATH_WANDER, a.polygon, b.polygon, gap, true, &random);
         h.a = a.polygon;
         h.b = b.polygon;
-        const test_drive d = {
-            .path = &path, .on_event = look_at_hold, .context = &h, .stop_at_contact = true};
+        const test_drive d = {.path = &path, .on_event = check_hold, .context = &h, .stop_at_contact = true};
         driven(name, &a, &b, &d);
     }
     return h;

@@ -372,25 +372,25 @@ TEST(an_inflated_dudley_hierarchy_doubles_beta) {
 }
 
 /// Steps of the repairs that found another line.
-typedef struct looks {
+typedef struct repair_steps {
     double steps;
     size_t repairs;
-} looks;
+} repair_steps;
 
-static void count_looks(void *context, const test_drive_event *event) {
-    looks *l = context;
+static void count_steps(void *context, const test_drive_event *event) {
+    repair_steps *l = context;
     if (event->report.kind != BMR_KDS_PUSH && event->report.kind != BMR_KDS_STAB)
         return;
     l->steps += event->report.touched;
     ++l->repairs;
 }
 
-static double looks_a_repair(const char *name, size_t n) {
-    looks l = {0.0, 0};
+static double steps_a_repair(const char *name, size_t n) {
+    repair_steps l = {0.0, 0};
     for (uint64_t seed = 1; seed <= 3; ++seed)
         for (int kind = TEST_PATH_LINE; kind <= TEST_PATH_ORBIT; ++kind) {
             pass p = pass_make(TEST_ELLIPSE, n, (test_path_kind)kind, 0.02, seed);
-            p.on_event = count_looks;
+            p.on_event = count_steps;
             p.context = &l;
             drive(name, &p);
         }
@@ -398,13 +398,13 @@ static double looks_a_repair(const char *name, size_t n) {
     return l.steps / (double)l.repairs;
 }
 
-/// The level of the new line is looked for from the old one's outwards: at equal separation a repair costs
+/// The level of the new line is found from the old one's outwards: at equal separation a repair costs
 /// the same however many levels there are. Control: a search over all levels grows with them.
-TEST(a_repair_looks_at_no_more_levels_of_a_larger_polygon) {
-    const double few = looks_a_repair("point-inflated-compass", 64),
-                 many = looks_a_repair("point-inflated-compass", 4096),
-                 few_from_top = looks_a_repair("point-complex", 64),
-                 many_from_top = looks_a_repair("point-complex", 4096);
+TEST(a_repair_visits_no_more_levels_of_a_larger_polygon) {
+    const double few = steps_a_repair("point-inflated-compass", 64),
+                 many = steps_a_repair("point-inflated-compass", 4096),
+                 few_from_top = steps_a_repair("point-complex", 64),
+                 many_from_top = steps_a_repair("point-complex", 4096);
     printf("steps a repair, n = 64 and 4096: outwards %.1f and %.1f, over all levels %.1f and %.1f\n", few,
            many, few_from_top, many_from_top);
     assert_true(many <= 1.2 * few);
@@ -455,7 +455,7 @@ static bool beyond_cell(const bmr_kds *kds, bmr_edge edge, uint32_t j, bmr_vec2 
     return bmr_cross(bmr_sub(corners[3], corners[0]), bmr_sub(x, corners[0])) < 0.0;
 }
 
-static void look_at_complex(const bmr_kds *kds, test_random *random, bool drop_triangles, double *missing) {
+static void check_complex(const bmr_kds *kds, test_random *random, bool drop_triangles, double *missing) {
     const bmr_hierarchy *h = bmr_point_view(kds)->hierarchy;
     const bmr_polygon *p = bmr_hierarchy_polygon(h);
     const bmr_inflation inflation = bmr_point_inflation(kds);
@@ -519,10 +519,10 @@ TEST(the_inflated_complex_tiles_what_is_between_its_outermost_polygon_and_the_in
                 const bmr_kds_def def = bmr_default_kds_def();
                 own_kds *kds = made_kds(test_structure("point-complex"), &def, &a.shape, &b.shape);
                 double missing;
-                look_at_complex(kds, &random, false, &missing);
+                check_complex(kds, &random, false, &missing);
                 assert_true(missing <= 1e-10);
                 if (family == TEST_REGULAR) { // the control
-                    look_at_complex(kds, &random, true, &missing);
+                    check_complex(kds, &random, true, &missing);
                     assert_true(missing > 1e-6);
                 }
             }

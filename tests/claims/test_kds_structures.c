@@ -222,7 +222,7 @@ TEST(the_sum_fits_its_block_at_every_rotation) {
         }
 }
 
-TEST(a_wrong_name_is_told_with_the_names_there_are) {
+TEST(a_wrong_name_is_answered_with_the_names_there_are) {
     static const char *const wrong[] = {"", "lazy", "lazy-dk", "Lazy-Dudley", "lazy-dudley ", "predict-"};
     const bmr_kds_info *const untouched = bmr_kds_at(3);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
@@ -282,7 +282,7 @@ static double proved(const bmr_kds_proof *proof, const bmr_pose *b_in_a, double 
 
 /// At a roll the corner before and the one after lie on one line along the proof's: what the finer line
 /// proves is what it proved for the last corner.
-static void look_at_coarsening(void *context, const test_drive_event *event) {
+static void check_coarsening(void *context, const test_drive_event *event) {
     coarsenings *c = context;
     const bmr_kds_proof before = c->last;
     const bmr_kds_report *report = &event->report;
@@ -308,7 +308,7 @@ TEST(a_coarser_line_after_a_roll_proves_a_good_part) {
             const test_drive how = {.path = &path,
                                     .audit_every = 1000,
                                     .margin = all.margin,
-                                    .on_event = look_at_coarsening,
+                                    .on_event = check_coarsening,
                                     .context = &all};
             driven(names[i], &a, &b, &how);
         }

@@ -199,9 +199,9 @@ TEST(each_failure_under_translation_is_paid_for_by_a_direction_that_fails) {
     assert_true(u.unpaid_by_three > u.steps / 10);
 }
 
-/// Takes a structure along an orbit after a spin, told the spin `told` at each repair; the least slack over
+/// Takes a structure along an orbit after a spin, given the spin `given` at each repair; the least slack over
 /// the gap after each repair but the first.
-static double slack_after_spin(const char *name, double told, size_t *repairs) {
+static double slack_after_spin(const char *name, double given, size_t *repairs) {
     test_random random = test_random_from(49);
     own_kds_body a = test_kds_body_make(test_polygon(TEST_ELLIPSE, 60, &random)),
                  b = test_kds_body_make(test_polygon(TEST_REGULAR, 40, &random));
@@ -214,7 +214,7 @@ static double slack_after_spin(const char *name, double told, size_t *repairs) {
         const double angle = 2.0 * PI * i / 40000.0;
         const bmr_instant now = {test_pose_at(a.polygon, b.polygon, angle, 1.0, 0.05),
                                  {-sin(angle), cos(angle)},
-                                 i == 0 ? 0.7 : told};
+                                 i == 0 ? 0.7 : given};
         bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
         if (i == 0) {
             bmr_kds_start(kds, &now, &report);
@@ -248,7 +248,8 @@ TEST(a_spin_that_is_over_is_forgotten) {
         size_t repairs = 0, controls = 0;
         const double forgotten = slack_after_spin(names[k], 0.0, &repairs),
                      leaning = slack_after_spin(names[k], 1e-12, &controls);
-        printf("%s: slack over gap %.4f after a spin, %.4f while it is told\n", names[k], forgotten, leaning);
+        printf("%s: slack over gap %.4f after a spin, %.4f while it is given\n", names[k], forgotten,
+               leaning);
         assert_true(repairs > 5 && forgotten >= 0.99);
         assert_true(controls > 5 && leaning < 0.95); // the control
     }
@@ -268,7 +269,7 @@ static bmr_vec2 facing(const bmr_kds_proof *proof, const bmr_pose *pose) {
                              : bmr_rotate(pose, bmr_neg(proof->line.normal));
 }
 
-static void look_at_angle(void *context, const test_drive_event *event) {
+static void check_angle(void *context, const test_drive_event *event) {
     angles *c = context;
     bmr_kds_proof proof;
     if (c->known && event->failed.kind == BMR_CONDITION_TURN) {
@@ -304,7 +305,7 @@ TEST(a_coarse_line_fails_at_parallel_edges_or_at_right_angles) {
         test_path path = {
             .cubic = {{0.1 * i, 1.3 + 0.2 * i}}, .angle = 0.1 + 0.3 * i, .spin = 2.0 * PI * turns};
         angles c = {.bodies = {a.polygon, b.polygon}};
-        const test_drive how = {.path = &path, .margin = MARGIN, .on_event = look_at_angle, .context = &c};
+        const test_drive how = {.path = &path, .margin = MARGIN, .on_event = check_angle, .context = &c};
         driven("coarse", &a, &b, &how);
         assert_int_equal(c.odd, 0);
         assert_true((double)c.right <= 4.0 * turns);

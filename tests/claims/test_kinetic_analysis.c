@@ -345,7 +345,7 @@ TEST(a_run_into_contact_has_a_distance_of_zero_there) {
 }
 
 /// At a time this late the next one that a double tells is an eighth of a second on: a hundred metres.
-TEST(a_path_that_is_faster_than_time_can_be_told_has_no_decomposition) {
+TEST(a_path_that_is_faster_than_time_resolves_has_no_decomposition) {
     own_polygon *p = made_polygon(square, 4);
     const double late = 1e15;
     const bmr_pose from = {{10.0, 0.0}, 1.0, 0.0};

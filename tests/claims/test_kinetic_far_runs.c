@@ -94,7 +94,7 @@ TEST(a_contact_at_rest_takes_no_steps) {
         check_contact(&cases[i]);
 }
 
-TEST(too_many_looks_at_a_contact_are_refused) {
+TEST(too_many_samples_of_a_contact_are_refused) {
     const contact_case cases[] = {{1e16, 2e16, 0.1, 1e-16, BMR_ERROR_OUT_OF_RANGE},
                                   {0.0, 1.0, 1e-300, 1.0, BMR_ERROR_OUT_OF_RANGE},
                                   {0.0, 100.0, 0.1, 1.0, BMR_OK}};

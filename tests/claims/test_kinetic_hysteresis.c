@@ -40,7 +40,7 @@ static void look(void *context, const bmr_simulation_event *event) {
     ++s->checked;
 }
 
-static void look_at(const bmr_kds_info *info, const stage *s, seen *what) {
+static void check_hysteresis(const bmr_kds_info *info, const stage *s, seen *what) {
     run_of(s, info,
            (bmr_run_def){.simulation = bmr_default_simulation_def(), .observer = look, .context = what});
 }
@@ -61,9 +61,9 @@ TEST(the_slack_after_a_selection_is_at_least_the_offset) {
     for (size_t f = 0; f < COUNT_OF(translations); ++f) {
         own_stage s = set(translations[f], 7 + f);
         seen all = offsets_of(&s, 1.0), control = offsets_of(&s, 2.0);
-        look_at(&bmr_kds_inflated_translation, &s, &all);
-        look_at(&bmr_kds_inflated_window, &s, &all);
-        look_at(&bmr_kds_inflated_window, &s, &control);
+        check_hysteresis(&bmr_kds_inflated_translation, &s, &all);
+        check_hysteresis(&bmr_kds_inflated_window, &s, &all);
+        check_hysteresis(&bmr_kds_inflated_window, &s, &control);
         assert_true(all.checked > 4);
         assert_true(all.least_slack >= 1.0 - 1e-4); // the margin is part of the conditions
         doubled = fmin(doubled, control.least_slack);

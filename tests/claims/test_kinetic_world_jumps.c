@@ -212,8 +212,8 @@ TEST(a_long_hysteresis_is_kept) {
 }
 
 /// A motion that begins a few margins before its contact, so fast that this is little beside the rounding of
-/// a polynomial: the contact is told within the margin all the same.
-TEST(a_fast_contact_is_not_told_early) {
+/// a polynomial: the contact is reported within the margin all the same.
+TEST(a_fast_contact_is_not_early) {
     const double margin = 1.5e-5, now = 458.25, speed = 4.2e5;
     for (int k = 0; k <= 40; k++) {
         const bmr_polygon *b = box(10.0);

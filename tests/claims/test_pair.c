@@ -56,8 +56,8 @@ static bmr_polygon *box(double half_width, double half_height) {
     return made_polygon(points, test_box_points(half_width, half_height, points));
 }
 
-static bmr_answer advance(test_couple *c, bmr_pose q) {
-    const bmr_answer answer = test_couple_advance(c, &q, NULL);
+static bmr_answer advance(test_pair *c, bmr_pose q) {
+    const bmr_answer answer = test_pair_advance(c, &q, NULL);
     assert_int_equal(bmr_pair_audit(&c->pair, &c->def, &c->shape[0], &c->shape[1], &q), BMR_OK);
     return answer;
 }
@@ -79,7 +79,7 @@ TEST(a_pose_that_is_no_motion_answers_stab_and_does_no_harm) {
                              {INFINITY, 0, 1, 0}, {0, -INFINITY, 1, 0}, {9, 0, INFINITY, 0}, {9, 0, 0, 0},
                              {9, 0, 2, 0},        {9, 0, 0.9, 0}};
     FOR_EACH_STRUCTURE(s) {
-        own_couple c = test_couple_make(s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
+        own_pair c = test_pair_make(s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
         for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i)
             for (int before = 0; before < 3; ++before) { // new, apart by a line, in contact
                 bmr_pair_init(&c.pair);
@@ -88,7 +88,7 @@ TEST(a_pose_that_is_no_motion_answers_stab_and_does_no_harm) {
                                      before == 1 ? BMR_APART : BMR_STAB_POLYGON);
                 const bmr_pose q = {{bad[i][0], bad[i][1]}, bad[i][2], bad[i][3]};
                 double gap = 7.0;
-                assert_int_equal(test_couple_advance(&c, &q, &gap), BMR_STAB_POLYGON);
+                assert_int_equal(test_pair_advance(&c, &q, &gap), BMR_STAB_POLYGON);
                 assert_true(gap == 0.0);
                 assert_int_equal(bmr_pair_audit(&c.pair, &c.def, &c.shape[0], &c.shape[1], &q), BMR_OK);
                 assert_int_equal(advance(&c, pose(0.0, 1.1, 0.1)), BMR_APART);
@@ -98,11 +98,11 @@ TEST(a_pose_that_is_no_motion_answers_stab_and_does_no_harm) {
 
 TEST(far_poses_are_apart_up_to_the_largest_double) {
     FOR_EACH_STRUCTURE(s) {
-        own_couple c = test_couple_make(s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
+        own_pair c = test_pair_make(s, ellipse(20, 0.5, 0.0), box(1.0, 0.5));
         for (double x = 1.0; x < 1e300; x *= 7.0) {
             const bmr_pose q = pose(-x, x / 3.0, x);
             double gap;
-            const bmr_answer answer = test_couple_advance(&c, &q, &gap);
+            const bmr_answer answer = test_pair_advance(&c, &q, &gap);
             assert_true(x < 3.0 || answer == BMR_APART);
             assert_true(gap <= hypot(x, x / 3.0));
         }
@@ -111,7 +111,7 @@ TEST(far_poses_are_apart_up_to_the_largest_double) {
 
 TEST(a_pair_leaves_contact_beyond_margin_and_hysteresis) {
     FOR_EACH_STRUCTURE(s) {
-        own_couple c = test_couple_make(s, box(1.0, 1.0), box(1.0, 1.0));
+        own_pair c = test_pair_make(s, box(1.0, 1.0), box(1.0, 1.0));
         c.def.margin = 0.01;
         c.def.hysteresis = 0.02;
         assert_int_equal(advance(&c, pose(0.0, 2.02, 0.0)), BMR_APART);
@@ -124,14 +124,14 @@ TEST(a_pair_leaves_contact_beyond_margin_and_hysteresis) {
 TEST(a_pair_does_not_allocate) {
     test_random random = test_random_from(5);
     FOR_EACH_STRUCTURE(s) {
-        own_couple c = test_couple_make(s, ellipse(100, 0.4, 0.0), ellipse(60, 0.7, 0.0));
+        own_pair c = test_pair_make(s, ellipse(100, 0.4, 0.0), ellipse(60, 0.7, 0.0));
         static bmr_pose poses[2000];
         for (size_t i = 0; i < 2000; ++i)
             poses[i] = test_pose_at(c.shape[0].polygon, c.shape[1].polygon, 0.03 * (double)i,
                                     0.02 * (double)i, test_random_uniform(&random, -0.05, 0.2));
         const size_t before = allocations;
         for (size_t i = 0; i < 2000; ++i) {
-            test_couple_advance(&c, &poses[i], NULL);
+            test_pair_advance(&c, &poses[i], NULL);
             bmr_pair_audit(&c.pair, &c.def, &c.shape[0], &c.shape[1], &poses[i]);
         }
         assert_int_equal(allocations, before);
@@ -146,7 +146,7 @@ TEST(a_pair_does_not_allocate) {
 
 TEST(a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step) {
     FOR_EACH_STRUCTURE(s) {
-        own_couple c = test_couple_make(s, box(10.0, 1.0), box(1.0, 1.0));
+        own_pair c = test_pair_make(s, box(10.0, 1.0), box(1.0, 1.0));
         test_random random = test_random_from(8);
         size_t beyond = 0, steps = 5000;
         for (size_t i = 0; i < steps; ++i) {
@@ -171,7 +171,7 @@ TEST(a_flat_box_sliding_on_a_flat_box_does_not_roll_each_step) {
 
 TEST(spinning_far_apart_costs_nothing) {
     FOR_EACH_STRUCTURE(s) {
-        own_couple c = test_couple_make(s, ellipse(64, 0.3, 0.0), ellipse(64, 0.3, 0.0));
+        own_pair c = test_pair_make(s, ellipse(64, 0.3, 0.0), ellipse(64, 0.3, 0.0));
         for (int i = 0; i < 1000; ++i)
             assert_int_equal(advance(&c, pose(2.5, 0.0, 0.1 * i)), BMR_APART);
         assert_int_equal(c.counters.events[BMR_EVENT_START], 1);
@@ -187,7 +187,7 @@ TEST(spinning_far_apart_costs_nothing) {
 
 /// Events of a straight pass whose least distance is sigma, sampled finely near the closest place.
 static double events_of_a_pass(bmr_structure s, size_t n, double sigma, double way, double *features) {
-    own_couple c = test_couple_make(s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
+    own_pair c = test_pair_make(s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
     const bmr_pose nearest = test_pose_at(c.shape[0].polygon, c.shape[1].polygon, way, 0.6, sigma);
     const bmr_vec2 along = {-sin(way), cos(way)};
     uint32_t last = 0;
@@ -195,7 +195,7 @@ static double events_of_a_pass(bmr_structure s, size_t n, double sigma, double w
         const double t = i / 3000.0;
         bmr_pose q = nearest;
         q.position = bmr_add(q.position, bmr_scale(6.0 * t * t * t, along));
-        assert_int_equal(test_couple_advance(&c, &q, NULL), BMR_APART);
+        assert_int_equal(test_pair_advance(&c, &q, NULL), BMR_APART);
         // What the same pass costs whoever follows the vertex nearest to the other's centre.
         const uint32_t feature = bmr_polygon_support(c.shape[0].polygon, q.position);
         *features += feature != last;
@@ -232,12 +232,12 @@ TEST(events_of_a_pass_grow_with_the_logarithm_of_its_nearness_and_not_with_n) {
 /// Events of one turn around the other at a distance of sigma, counter-clockwise (sense 1) or clockwise (-1),
 /// the other turning `spin` times meanwhile.
 static double events_of_an_orbit(bmr_structure s, size_t n, double sigma, double sense, double spin) {
-    own_couple c = test_couple_make(s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
+    own_pair c = test_pair_make(s, ellipse(n, 0.25, 0.3), ellipse(n, 0.5, 1.9));
     for (int i = 0; i < 20000; ++i) {
         const double turned = sense * TWO_PI * i / 20000.0;
         const bmr_pose q =
             test_pose_at(c.shape[0].polygon, c.shape[1].polygon, turned, 0.6 + spin * turned, sigma);
-        test_couple_advance(&c, &q, NULL);
+        test_pair_advance(&c, &q, NULL);
     }
     return events_of(&c.counters);
 }

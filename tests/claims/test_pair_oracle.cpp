@@ -16,29 +16,29 @@ std::size_t rounds(std::size_t count) {
     return std::max<std::size_t>(test_scaled(count), 64);
 }
 
-struct Couple : test_couple {
+struct OraclePair : test_pair {
     test_motion motion;
 
-    Couple(bmr_structure structure, std::size_t round, test_random *random)
-        : test_couple(Make(structure, random)) {
+    OraclePair(bmr_structure structure, std::size_t round, test_random *random)
+        : test_pair(Make(structure, random)) {
         if (round % 2)
             def.margin = test_random_uniform(random, 0.0, 0.05);
         const auto kind = static_cast<test_motion_kind>(round % TEST_MOTION_KIND_COUNT);
         motion = test_motion_make(kind, shape[0].polygon, shape[1].polygon, random);
     }
-    Couple(const Couple &) = delete;
-    Couple &operator=(const Couple &) = delete;
-    ~Couple() { test_couple_destroy(this); }
+    OraclePair(const OraclePair &) = delete;
+    OraclePair &operator=(const OraclePair &) = delete;
+    ~OraclePair() { test_pair_destroy(this); }
     double extents() const { return shape[0].polygon->extent + shape[1].polygon->extent; }
 
 private:
-    static test_couple Make(bmr_structure structure, test_random *random) {
+    static test_pair Make(bmr_structure structure, test_random *random) {
         bmr_polygon *body[2];
         for (bmr_polygon *&polygon : body) {
             const auto family = static_cast<test_family>(test_random_below(random, TEST_FAMILY_COUNT));
             polygon = test_polygon(family, 3 + test_random_below(random, 5), random);
         }
-        return test_couple_make(structure, body[0], body[1]);
+        return test_pair_make(structure, body[0], body[1]);
     }
 };
 
@@ -60,14 +60,14 @@ TEST_CASE("no pair claims a gap that rational arithmetic denies, and none misses
     std::size_t apart = 0, contact = 0, bare_lies = 0, stale_lies = 0, disks = 0;
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         for (std::size_t round = 0; round < rounds(300); ++round) {
-            Couple t(static_cast<bmr_structure>(structure), round, &random);
+            OraclePair t(static_cast<bmr_structure>(structure), round, &random);
             const Places a = PlacesOf(t.shape[0].polygon);
             bmr_pair stale;
             bmr_pair_init(&stale);
             for (int step = 0; step < 20; ++step) {
                 const bmr_pose q = test_motion_next(&t.motion, &random);
                 double gap;
-                const bmr_answer answer = test_couple_advance(&t, &q, &gap);
+                const bmr_answer answer = test_pair_advance(&t, &q, &gap);
                 const Places b = PlacesAt(t.shape[1].polygon, q);
                 const Number truth = SquaredDistance(a, b);
                 // The control: to believe the last step's answer.
@@ -114,7 +114,7 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
     test_random random = test_random_from(78);
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         for (std::size_t round = 0; round < rounds(40); ++round) {
-            Couple t(static_cast<bmr_structure>(structure), 1, &random);
+            OraclePair t(static_cast<bmr_structure>(structure), 1, &random);
             const Places a = PlacesOf(t.shape[0].polygon);
             const double way = test_random_uniform(&random, 0.0, 6.28),
                          turn = test_random_uniform(&random, 0.0, 6.28);
@@ -124,7 +124,7 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
                                                 t.def.margin + step * slop / 2.0);
                 bmr_pair_init(&t.pair);
                 t.counters = {};
-                const bool apart = test_couple_advance(&t, &q, nullptr) == BMR_APART;
+                const bool apart = test_pair_advance(&t, &q, nullptr) == BMR_APART;
                 REQUIRE(t.counters.events[BMR_EVENT_START] ==
                         (apart ? 1 : 0)); // whichever of its proofs is taken
                 const Number truth = SquaredDistance(a, PlacesAt(t.shape[1].polygon, q));

@@ -21,7 +21,7 @@ static size_t rounds(size_t count) {
 }
 
 typedef struct trial {
-    test_couple of;
+    test_pair of;
     test_motion motion;
     double scale; ///< of the coordinates' rounding
 } trial;
@@ -30,7 +30,7 @@ static trial begin(bmr_structure structure, test_motion_kind kind, size_t larges
     bmr_polygon *body[2];
     for (int side = 0; side < 2; ++side)
         body[side] = test_any_polygon(largest, random);
-    trial t = {.of = test_couple_make(structure, body[0], body[1])};
+    trial t = {.of = test_pair_make(structure, body[0], body[1])};
     const double radius = fmax(body[0]->radius, body[1]->radius);
     bmr_pair_def *def = &t.of.def;
     def->margin = test_random_below(random, 2) ? 0.0 : radius * test_random_uniform(random, 0.0, 0.05);
@@ -41,7 +41,7 @@ static trial begin(bmr_structure structure, test_motion_kind kind, size_t larges
 }
 
 static void end(trial *t) {
-    test_couple_destroy(&t->of);
+    test_pair_destroy(&t->of);
 }
 #define own_trial OWNED(end) trial
 
@@ -50,7 +50,7 @@ static void step_and_check(trial *t, const bmr_pose *q) {
     const double need =
         t->of.def.margin + (t->of.pair.state == BMR_PAIR_CONTACT ? t->of.def.hysteresis : 0.0);
     double gap;
-    const bmr_answer answer = test_couple_advance(&t->of, q, &gap);
+    const bmr_answer answer = test_pair_advance(&t->of, q, &gap);
     const double truth = test_distance(t->of.shape[0].polygon, t->of.shape[1].polygon, q);
     const double rounding = ORACLE_ROUNDING * (t->scale + truth);
     if (answer == BMR_APART) {

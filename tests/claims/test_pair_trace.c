@@ -10,7 +10,7 @@
 #define STEPS 400000
 
 typedef struct trace {
-    test_couple of;
+    test_pair of;
     bmr_pair before; ///< the state that the next event starts from
     double gap;      ///< that the last event left
     size_t seen[BMR_EVENT_KIND_COUNT];
@@ -140,12 +140,12 @@ static bmr_polygon *body(size_t n, double flatness) {
 }
 
 static trace begin(bmr_structure structure, bool shown) {
-    trace t = {.of = test_couple_make(structure, body(48, 0.35), body(33, 0.6)), .shown = shown};
+    trace t = {.of = test_pair_make(structure, body(48, 0.35), body(33, 0.6)), .shown = shown};
     t.before = t.of.pair;
     return t;
 }
 static void end(trace *t) {
-    test_couple_destroy(&t->of);
+    test_pair_destroy(&t->of);
 }
 #define own_trace OWNED(end) trace
 

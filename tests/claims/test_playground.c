@@ -343,7 +343,7 @@ TEST(bad_numbers_are_refused) {
     REFUSED(play_set_ngon(page, 0, 0, 100000, NAN));
 }
 
-TEST(a_pair_stands_whatever_it_is_told) {
+TEST(a_pair_stands_whatever_it_is_given) {
     own_page *page = by_hand("lazy-dudley", 12);
     hold(page, 1, &(bmr_pose){{NAN, 0.0}, 1.0, 0.0});
     hold(page, 1, &(bmr_pose){{1e9, 0.0}, 1.0, 0.0});

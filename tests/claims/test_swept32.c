@@ -110,10 +110,10 @@ static double gap_at(const mover *a, const mover *b, double t, bmr_vec32 n) {
 
 /// The least of it over the motion, as finely as it is looked at.
 static double least_gap(const mover *a, const mover *b, bmr_vec32 n) {
-    enum { LOOKS = 32 };
+    enum { SAMPLES = 32 };
     double least = DBL_MAX;
-    for (int i = 0; i <= LOOKS; ++i)
-        least = fmin(least, gap_at(a, b, (double)i / LOOKS, n));
+    for (int i = 0; i <= SAMPLES; ++i)
+        least = fmin(least, gap_at(a, b, (double)i / SAMPLES, n));
     return least;
 }
 
@@ -309,7 +309,7 @@ TEST(what_lies_on_one_point_is_divided_by_nothing) {
 }
 
 TEST(a_posed_gap_is_the_distance_along_its_direction) {
-    size_t told_from_its_reverse = 0;
+    size_t not_its_reverse = 0;
     for (size_t round = 0; round < test_scaled(20000); ++round) {
         const mover a = place(random_hull(), none, none, none, random_in(-3.0f, 3.0f), 0.0f);
         const bmr_vec32 at = {random_in(-8.0f, 8.0f), random_in(-8.0f, 8.0f)};
@@ -327,9 +327,9 @@ TEST(a_posed_gap_is_the_distance_along_its_direction) {
             largest = fmaxf(largest, fmaxf(fabsf(b.shape.points[i].x), fabsf(b.shape.points[i].y)));
         assert_true(reach == largest);
         assert_true(fabs(found - gap_at(&a, &b, 1.0, n)) < rounding);
-        told_from_its_reverse += !(fabs(found - gap_at(&a, &b, 1.0, back)) < rounding);
+        not_its_reverse += !(fabs(found - gap_at(&a, &b, 1.0, back)) < rounding);
     }
-    assert_true(told_from_its_reverse > 0); // the control
+    assert_true(not_its_reverse > 0); // the control
 }
 
 TEST(a_depth_is_the_least_distance_from_a_side) {

@@ -249,7 +249,7 @@ TEST_CASE("without memory for its own tables the program ends with a sentence") 
 TEST_CASE("a recorder without memory loses events, and says how many") {
     const auto play = [](uint64_t fail, int32 *lost) {
         failing_malloc::FailAt(fail);
-        int32 told = 0;
+        int32 taken = 0;
         {
             bmr::ContactRecorder recorder;
             recorder.SetHitThreshold(0.0f);
@@ -259,14 +259,14 @@ TEST_CASE("a recorder without memory loses events, and says how many") {
             for (int step = 0; step < 60; ++step) {
                 world.Step(1.0f / 60.0f, 8, 3);
                 const bmr::ContactEvents events = recorder.Take();
-                told += events.begins.count + events.ends.count + events.sensorBegins.count +
-                        events.sensorEnds.count + events.hits.count + events.lost;
+                taken += events.begins.count + events.ends.count + events.sensorBegins.count +
+                         events.sensorEnds.count + events.hits.count + events.lost;
                 *lost += events.lost;
             }
             world.SetContactListener(nullptr);
         }
         failing_malloc::FailAt(kNoFailure);
-        return told;
+        return taken;
     };
     int32 lost = 0;
     const int32 all = play(kNoFailure, &lost);

@@ -45,9 +45,9 @@ stock, plugin = (json.load(open(path)) for path in sys.argv[1:3])
 questions = sum(stock[calls] for calls in ("polygon_tests", "toi_calls", "distance_calls")) / 20
 events = sum(count for kind, count in plugin["plugin"]["events"].items() if kind != "handover") / 20
 said = re.match(r"needles: ([\d,.]+) questions a step in stock, ([\d,.]+) events: one for ([\d,.]+)\n", open(sys.argv[3]).read())
-told = [float(word.replace(",", "")) for word in said.groups()]
-print(told, questions, events)
-sys.exit(not (questions > 9000 and abs(told[0] - questions) <= 0.5 and abs(told[1] - events) <= 0.5 and abs(told[2] - questions / events) <= 0.5))
+printed = [float(word.replace(",", "")) for word in said.groups()]
+print(printed, questions, events)
+sys.exit(not (questions > 9000 and abs(printed[0] - questions) <= 0.5 and abs(printed[1] - events) <= 0.5 and abs(printed[2] - questions / events) <= 0.5))
 PYTHON
     says '^1 scene identical' 0 compare needles --steps 2 --no-time --quiet
     ! grep -q 'questions' "$scratch/out" || fail "--quiet tells more than the verdict"

@@ -105,11 +105,11 @@ double Near(const b2Body *a, const b2Body *b) {
     return least;
 }
 
-struct Couple {
+struct BodyPair {
     b2World world{b2Vec2(0.0f, 0.0f)};
     b2Body *a, *b;
 
-    explicit Couple(Engine &engine) {
+    explicit BodyPair(Engine &engine) {
         b2BodyDef def;
         def.type = b2_dynamicBody;
         def.allowSleep = false;
@@ -237,7 +237,7 @@ void CheckPictures(Run &run) {
     const size_t few = Rounds(1500) / (run.RemembersEdges() ? 4 : 10);
     size_t lines = 0, wrong = 0, wrongIfTurned = 0;
     for (size_t i = 0; i < Rounds(1500); ++i) {
-        Couple t(engine);
+        BodyPair t(engine);
         t.Put(engine, OneOf(engine, kFar), OneOf(engine, kWanted));
         t.world.Step(0.0f, 1, 1);
         const double far = OneOf(engine, kFar);
@@ -277,7 +277,7 @@ TEST_CASE(
     Tally gaps;
     size_t apart = 0, wrong = 0, wrongIfMore = 0, beyond = 0;
     for (size_t i = 0; i < Rounds(300); ++i) {
-        Couple t(engine);
+        BodyPair t(engine);
         bmr::Hull hullA(t.a, nullptr), hullB(t.b, nullptr);
         bmr::HullPair pair;
         pair.a = &hullA;

@@ -23,8 +23,8 @@ void PrintInstall(Run &run, const bmr::Options &options) {
 /// A name in the directory of temporary files that no other process uses.
 std::string NameFor(const char *end) {
     const char *folder = std::getenv("TMPDIR");
-    return std::string(folder != nullptr ? folder : "/tmp") + "/boomerang-" + std::to_string(bmr::ThisProcess()) +
-           end;
+    return std::string(folder != nullptr ? folder : "/tmp") + "/boomerang-" +
+           std::to_string(bmr::ThisProcess()) + end;
 }
 
 } // namespace
@@ -37,7 +37,7 @@ TEST_CASE("Install works once") {
           }) == "0\ndone, installed: \nnot done, installed: \n");
 }
 
-TEST_CASE("Install does nothing where it is told off") {
+TEST_CASE("Install does nothing where it is switched off") {
     CHECK(InChild([](Run &run) {
               bmr::Options options;
               options.mode = bmr::Mode::Off;
@@ -67,7 +67,7 @@ TEST_CASE("a refusal is said once, with its reason, and is for good") {
           "not done, not installed: \n");
 }
 
-TEST_CASE("who asks is told what is at work") {
+TEST_CASE("who asks learns what is at work") {
     const std::string said = InChild([](Run &run) {
         bmr::Options options;
         options.verbosity = 1;

@@ -24,7 +24,7 @@ struct Row {
     b2PolygonShape *shape;
     bmr::FixtureMotions motions;
     uint32_t row;
-    uint64_t look = 0;
+    uint64_t stamp = 0;
 
     explicit Row(const b2PolygonShape &polygon) {
         b2BodyDef def;
@@ -32,11 +32,11 @@ struct Row {
         body = world.CreateBody(&def);
         b2Fixture *const fixture = body->CreateFixture(&polygon, 1.0f);
         shape = static_cast<b2PolygonShape *>(fixture->GetShape());
-        row = motions.Acquire(fixture, BroadPhase(), ++look);
-        motions.AddProof(row, BroadPhase(), look);
+        row = motions.Acquire(fixture, BroadPhase(), ++stamp);
+        motions.AddProof(row, BroadPhase(), stamp);
     }
     const b2BroadPhase &BroadPhase() const { return world.GetContactManager().m_broadPhase; }
-    void Look() { motions.Update(row, BroadPhase(), ++look, false); }
+    void Update() { motions.Update(row, BroadPhase(), ++stamp, false); }
 };
 
 constexpr float kBorder = bmr::kBandReach;
@@ -50,11 +50,11 @@ b2PolygonShape Square(float half) {
 struct Yard : Row {
     explicit Yard(float half = 0.5f) : Row(Square(half)) {}
 
-    /// The row's bits after a look with the body there.
+    /// The row's bits after an update with the body there.
     uint8_t At(float x, float y = 0.0f) {
         body->SetTransform({x, y}, 0.3f);
         motions.SetBits(row, motions.Bits(row) & static_cast<uint8_t>(~(bmr::kChanged | bmr::kChangedLate)));
-        Look();
+        Update();
         return motions.Bits(row);
     }
     int Band() const { return motions.Band(row, row); }
@@ -140,9 +140,9 @@ struct Swept : Row {
     Swept() : Row(Triangle()) {}
     b2Sweep &Sweep() { return body->*Named(bmr::SweepMember()); }
 
-    /// In units, from the last look on.
+    /// In units, from the last update on.
     uint32_t End(bool careful = true) {
-        motions.UpdateEnd(row, careful, ++look);
+        motions.UpdateEnd(row, careful, ++stamp);
         return motions.End(row) - motions.Moved(row);
     }
     /// As Box2D's solver leaves it: from the body's place on.
@@ -189,7 +189,7 @@ TEST_CASE("no point goes farther in a sweep than the row says") {
         const bool sleeps = round % 3 == 0; // its sweep is that of an earlier step
         if (sleeps)
             move();
-        one.Look();
+        one.Update();
         const b2Transform before = one.body->GetTransform();
         // What a game may do that is told of contacts.
         if (round % 5 == 0)
@@ -223,7 +223,7 @@ TEST_CASE("no point goes farther in a sweep than the row says") {
 TEST_CASE("nothing is claimed of what turns about another point, or is another shape") {
     for (const bool careful : {false, true}) {
         Swept one;
-        one.Look();
+        one.Update();
         one.Move({0.1f, 0.0f}, 0.1f);
         CHECK(!IsNothingClaimed(one.End(careful)));
         one.shape->m_radius *= 2.0f;
@@ -231,7 +231,7 @@ TEST_CASE("nothing is claimed of what turns about another point, or is another s
         const b2Vec2 centre = one.body->GetLocalCenter();
         for (const b2Vec2 by : {b2Vec2(0.001f, 0.0f), b2Vec2(0.0f, 0.001f)}) {
             one.MoveCentre(centre);
-            one.Look();
+            one.Update();
             one.Move({0.1f, 0.0f}, 0.1f);
             CHECK(!IsNothingClaimed(one.End(careful)));
             one.MoveCentre(centre + by);
@@ -244,7 +244,7 @@ TEST_CASE("nothing is claimed beyond the reach and the angle that the margins of
     const auto endAt = [](float x, float angle, b2Vec2 by, float turn) {
         Swept one;
         one.body->SetTransform({x, 0.0f}, angle);
-        one.Look();
+        one.Update();
         one.Move(by, turn);
         return one.End();
     };

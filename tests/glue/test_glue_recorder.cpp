@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bmr::ContactRecorder, on Box2D alone: it holds what a listener is told, and the hooks know it.
+// bmr::ContactRecorder, on Box2D alone: it holds what a listener hears, and the hooks know it.
 #include <array>
 #include <iterator>
 
@@ -14,7 +14,7 @@ uintptr_t NumberOf(const b2Fixture *fixture) {
     return const_cast<b2Fixture *>(fixture)->GetUserData().pointer;
 }
 
-/// One event in numbers: user data of fixtures, children, whether it was told in a step, and of a hit where.
+/// One event in numbers: user data of fixtures, children, whether it was heard in a step, and of a hit where.
 using Line = std::array<float, 10>;
 using Lines = std::vector<Line>;
 constexpr float kHit = 0.5f;
@@ -109,13 +109,13 @@ template <typename AfterStep> void Play(b2World &world, const AfterStep &afterSt
 
 } // namespace
 
-TEST_CASE("a recorder holds what a listener is told, in its order") {
-    ByHand told, taken;
+TEST_CASE("a recorder holds what a listener hears, in its order") {
+    ByHand heard, taken;
     bmr::ContactRecorder recorder;
     recorder.SetHitThreshold(kHit);
     CHECK(recorder.GetHitThreshold() == kHit);
     b2World listened({0.0f, -10.0f}), recorded({0.0f, -10.0f});
-    listened.SetContactListener(&told);
+    listened.SetContactListener(&heard);
     recorded.SetContactListener(&recorder);
     Play(listened, [](int) {});
     Play(recorded, [&](int step) { // taken at each step at first, then less often
@@ -123,15 +123,15 @@ TEST_CASE("a recorder holds what a listener is told, in its order") {
             Take(&recorder, &taken);
     });
     Take(&recorder, &taken);
-    CHECK(told.begins.size() > 100);
-    CHECK(told.sensorEnds.size() > 20);
-    CHECK(told.hits.size() > 50);
-    CHECK(std::any_of(told.ends.begin(), told.ends.end(), [](const Line &line) { return line[4] != 0; }));
-    CHECK(taken.begins == told.begins);
-    CHECK(taken.ends == told.ends);
-    CHECK(taken.sensorBegins == told.sensorBegins);
-    CHECK(taken.sensorEnds == told.sensorEnds);
-    CHECK(taken.hits == told.hits);
+    CHECK(heard.begins.size() > 100);
+    CHECK(heard.sensorEnds.size() > 20);
+    CHECK(heard.hits.size() > 50);
+    CHECK(std::any_of(heard.ends.begin(), heard.ends.end(), [](const Line &line) { return line[4] != 0; }));
+    CHECK(taken.begins == heard.begins);
+    CHECK(taken.ends == heard.ends);
+    CHECK(taken.sensorBegins == heard.sensorBegins);
+    CHECK(taken.sensorEnds == heard.sensorEnds);
+    CHECK(taken.hits == heard.hits);
 }
 
 TEST_CASE("nothing hits until a threshold is set, and lists stay until the next ones are taken") {

@@ -24,11 +24,11 @@ b2Manifold TwoPoints() {
 
 /// What comparisons add to the counts of a process that compares for the first time, and what it says of
 /// them.
-struct Told {
+struct Verdict {
     unsigned verified = 0, differences = 0;
     std::string line;
 };
-template <typename Verify> Told By(Verify verify) {
+template <typename Verify> Verdict By(Verify verify) {
     static const Verify *chosen;
     chosen = &verify;
     const std::string text = InChild([](Run &run) {
@@ -37,17 +37,17 @@ template <typename Verify> Told By(Verify verify) {
         run.Print("%u %u", static_cast<unsigned>(s.verified), static_cast<unsigned>(s.differences));
         run.Print("%s", line.c_str());
     });
-    Told told;
-    REQUIRE(std::sscanf(text.c_str(), "%u %u", &told.verified, &told.differences) == 2);
-    told.line = text.substr(text.find('\n') + 1);
-    return told;
+    Verdict verdict;
+    REQUIRE(std::sscanf(text.c_str(), "%u %u", &verdict.verified, &verdict.differences) == 2);
+    verdict.line = text.substr(text.find('\n') + 1);
+    return verdict;
 }
 
 /// One comparison, of which there is a line if it finds a difference.
-bool OneDiffers(const Told &told) {
-    CHECK(told.verified == 1);
-    CHECK((told.line != "\n") == (told.differences == 1));
-    return told.differences == 1;
+bool OneDiffers(const Verdict &verdict) {
+    CHECK(verdict.verified == 1);
+    CHECK((verdict.line != "\n") == (verdict.differences == 1));
+    return verdict.differences == 1;
 }
 
 bool Differ(const b2Manifold &ours, const b2Manifold &box2d) {
@@ -159,11 +159,11 @@ TEST_CASE("the first difference is described with its step, its question and its
 }
 
 TEST_CASE("of many differences the first alone is described") {
-    const Told told = By([] {
+    const Verdict verdict = By([] {
         for (int i = 0; i < 3; ++i)
             bmr::VerifyOverlap(nullptr, nullptr, true, false);
     });
-    CHECK(told.differences == 3);
-    CHECK(Holds(told.line, "first difference"));
-    CHECK(told.line.find("first difference") == told.line.rfind("first difference"));
+    CHECK(verdict.differences == 3);
+    CHECK(Holds(verdict.line, "first difference"));
+    CHECK(verdict.line.find("first difference") == verdict.line.rfind("first difference"));
 }

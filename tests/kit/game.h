@@ -64,17 +64,17 @@ class Listener final : public b2ContactListener {
 public:
     Listener(const b2World &world, Hash *hash) : m_world(world), m_hash(hash) {}
     Callback<b2Contact *> begin, end, preSolve, postSolve;
-    int told = 0;
+    int calls = 0;
 
     void BeginContact(b2Contact *contact) override { Tell(1, contact, begin); }
     void EndContact(b2Contact *contact) override { Tell(2, contact, end); }
     void PreSolve(b2Contact *contact, const b2Manifold *old) override {
-        m_hash->Begin("call", static_cast<uint64_t>(told));
+        m_hash->Begin("call", static_cast<uint64_t>(calls));
         testbed::VisitManifold(*m_hash, *old);
         Tell(3, contact, preSolve);
     }
     void PostSolve(b2Contact *contact, const b2ContactImpulse *impulse) override {
-        m_hash->Begin("call", static_cast<uint64_t>(told));
+        m_hash->Begin("call", static_cast<uint64_t>(calls));
         m_hash->Field("impulses", impulse->count);
         Tell(4, contact, postSolve);
     }
@@ -84,7 +84,7 @@ private:
         uint32_t count = 0;
         for (const b2Contact *c = m_world.GetContactList(); c != nullptr; c = c->GetNext())
             ++count;
-        m_hash->Begin("call", static_cast<uint64_t>(told++));
+        m_hash->Begin("call", static_cast<uint64_t>(calls++));
         testbed::NameContact(*m_hash, *contact);
         m_hash->Field("begin, end, preSolve, postSolve", what);
         m_hash->Field("contacts", count);
@@ -223,8 +223,8 @@ public:
     void WriteDown() {
         hash.Add(world);
         char line[120];
-        std::snprintf(line, sizeof line, "%d contacts, %d told, %d asked, %016" PRIx64,
-                      static_cast<int>(world.GetContactCount()), listener.told, filter.count, hash.Value());
+        std::snprintf(line, sizeof line, "%d contacts, %d calls, %d asked, %016" PRIx64,
+                      static_cast<int>(world.GetContactCount()), listener.calls, filter.count, hash.Value());
         if (line == Run::InWords())
             m_run.Write("in words\n" + m_words.Text());
         m_words.Clear();

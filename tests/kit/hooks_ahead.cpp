@@ -16,7 +16,7 @@ bool internal::MeetBox2D(const void *) {
 }
 
 namespace {
-[[maybe_unused]] const bool told = (SetWay("ahead of Box2D", nullptr), true);
+[[maybe_unused]] const bool wayIsSet = (SetWay("ahead of Box2D", nullptr), true);
 } // namespace
 
 } // namespace bmr

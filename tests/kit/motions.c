@@ -153,25 +153,25 @@ bmr_pose test_motion_next(test_motion *m, test_random *random) {
     return test_pose_at(m->a, m->b, m->direction, m->angle, m->gap);
 }
 
-test_couple test_couple_make(bmr_structure structure, bmr_polygon *a, bmr_polygon *b) {
-    test_couple couple = {.shape = {{.polygon = a}, {.polygon = b}}, .def = bmr_default_pair_def()};
-    couple.def.structure = structure;
+test_pair test_pair_make(bmr_structure structure, bmr_polygon *a, bmr_polygon *b) {
+    test_pair pair = {.shape = {{.polygon = a}, {.polygon = b}}, .def = bmr_default_pair_def()};
+    pair.def.structure = structure;
     for (int side = 0; side < 2 && structure < BMR_FREE_DIRECTION; ++side)
-        couple.shape[side].hierarchies[structure] =
-            test_hierarchy((bmr_hierarchy_kind)structure, couple.shape[side].polygon);
-    bmr_pair_init(&couple.pair);
-    return couple;
+        pair.shape[side].hierarchies[structure] =
+            test_hierarchy((bmr_hierarchy_kind)structure, pair.shape[side].polygon);
+    bmr_pair_init(&pair.pair);
+    return pair;
 }
 
-void test_couple_destroy(test_couple *couple) {
+void test_pair_destroy(test_pair *pair) {
     for (int side = 0; side < 2; ++side) {
         for (int kind = 0; kind < BMR_HIERARCHY_KIND_COUNT; ++kind)
-            bmr_hierarchy_destroy((bmr_hierarchy *)(uintptr_t)couple->shape[side].hierarchies[kind], NULL);
-        bmr_polygon_destroy((bmr_polygon *)(uintptr_t)couple->shape[side].polygon, NULL);
+            bmr_hierarchy_destroy((bmr_hierarchy *)(uintptr_t)pair->shape[side].hierarchies[kind], NULL);
+        bmr_polygon_destroy((bmr_polygon *)(uintptr_t)pair->shape[side].polygon, NULL);
     }
 }
 
-bmr_answer test_couple_advance(test_couple *c, const bmr_pose *pose, double *gap) {
+bmr_answer test_pair_advance(test_pair *c, const bmr_pose *pose, double *gap) {
     const bmr_observer observer = {&c->counters, NULL, NULL};
     return bmr_pair_advance(&c->pair, &c->def, &c->shape[0], &c->shape[1], pose, &observer, gap);
 }

@@ -52,17 +52,17 @@ bmr_pose test_motion_next(test_motion *motion, test_random *random);
 
 /// A pair of two polygons that knows nothing yet. Each has the hierarchy that the structure walks on; none
 /// for the free direction. Takes the polygons over.
-typedef struct test_couple {
+typedef struct test_pair {
     bmr_shape shape[2];
     bmr_pair_def def;
     bmr_pair pair;
-    bmr_counters counters; ///< of test_couple_advance
-} test_couple;
-test_couple test_couple_make(bmr_structure structure, bmr_polygon *a, bmr_polygon *b);
-void test_couple_destroy(test_couple *couple);
-#define own_couple OWNED(test_couple_destroy) test_couple
+    bmr_counters counters; ///< of test_pair_advance
+} test_pair;
+test_pair test_pair_make(bmr_structure structure, bmr_polygon *a, bmr_polygon *b);
+void test_pair_destroy(test_pair *pair);
+#define own_pair OWNED(test_pair_destroy) test_pair
 /// `gap` may be NULL.
-bmr_answer test_couple_advance(test_couple *couple, const bmr_pose *pose, double *gap);
+bmr_answer test_pair_advance(test_pair *pair, const bmr_pose *pose, double *gap);
 
 // --- pieces of motions ---
 

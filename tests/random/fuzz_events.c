@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// First failure times of conditions under fuzzed motions, against dense looks in long double: never late,
+// First failure times of conditions under fuzzed motions, against dense samples in long double: never late,
 // never early by more than the tolerance. Where numbers are wild, the contract alone: an error or a time in
 // range.
 #include <math.h>
@@ -10,8 +10,8 @@
 #include "harness.h"
 #include "paths.h"
 
-// --- the oracle: dense looks, minima between them sought out. Nothing of core's is used but the motions' own
-// description ---
+// --- the oracle: dense samples, minima between them sought out. Nothing of core's is used but the motions'
+// own description ---
 
 /// A motion as it was asked for.
 #define ORACLE_PIECES 8
@@ -192,14 +192,14 @@ static long double least_at_changes(const oracle_trial *r, long double low, long
     return worst;
 }
 
-/// Is the value about zero or below at some time in [low, high]? Least values between looks are sought out.
-static bool comes_to_zero(const oracle_trial *r, long double low, long double high, int looks) {
-    const long double step = (high - low) / looks;
+/// Is the value about zero or below at some time in [low, high]? Least values between samples are sought out.
+static bool comes_to_zero(const oracle_trial *r, long double low, long double high, int samples) {
+    const long double step = (high - low) / samples;
     if (part_at(r, high, BEFORE) <= ORACLE_SLACK || least_at_changes(r, low, high) <= ORACLE_SLACK)
         return true;
     long double after = INFINITY, here = INFINITY;
-    for (int i = 0; i <= looks + 1; i++) { // from the end, where it is below zero mostly
-        const long double before = i <= looks ? part_at(r, high - step * i, AFTER) : INFINITY;
+    for (int i = 0; i <= samples + 1; i++) { // from the end, where it is below zero mostly
+        const long double before = i <= samples ? part_at(r, high - step * i, AFTER) : INFINITY;
         if (before <= ORACLE_SLACK)
             return true;
         if (i > 0 && here <= after && here <= before) {
@@ -215,18 +215,18 @@ static bool comes_to_zero(const oracle_trial *r, long double low, long double hi
     return false;
 }
 
-/// Judges a failure time (INFINITY: none until `until`) by so many looks at the time before it. Late: the
+/// Judges a failure time (INFINITY: none until `until`) by so many samples at the time before it. Late: the
 /// value was below zero before. Early: it is above until `tolerance` after.
 static oracle_verdict oracle_judge(const oracle_trial *r, double after, double until, double time,
-                                   double tolerance, int looks) {
+                                   double tolerance, int samples) {
     oracle_verdict v = {false, false, 0.0L};
     const long double last = fminl((long double)time, (long double)until);
-    const long double step = (last - (long double)after) / looks;
+    const long double step = (last - (long double)after) / samples;
     long double size, before = INFINITY, here = oracle_value(r, after, &size), worst = 0.0L;
-    for (int i = 1; i <= looks && step > 0.0L; i++) {
-        const long double t = (long double)after + step * i - (i == looks ? 1e-17L : 0.0L);
+    for (int i = 1; i <= samples && step > 0.0L; i++) {
+        const long double t = (long double)after + step * i - (i == samples ? 1e-17L : 0.0L);
         const long double next = value_at(r, t, BEFORE, &size);
-        if (i < looks)
+        if (i < samples)
             worst = fminl(worst, next / size);
         if (here <= before && here <= next && i > 1 && here < 0.05L * size)
             worst = fminl(worst, oracle_least(r, t - 2.0L * step, t) / size);
@@ -244,13 +244,13 @@ static oracle_verdict oracle_judge(const oracle_trial *r, double after, double u
     v.worst = worst;
     v.late = worst < -ORACLE_SLACK;
     if (!isinf(time))
-        v.early = !comes_to_zero(r, time, (long double)time + (long double)tolerance, looks);
+        v.early = !comes_to_zero(r, time, (long double)time + (long double)tolerance, samples);
     return v;
 }
 
 // --- the fuzzer ---
 
-#define LOOKS 150
+#define SAMPLES 150
 #define BEGIN 0.0
 #define END 4.0
 
@@ -319,7 +319,7 @@ static void check_time(const oracle_trial *trial, double after, double until, do
         return;
     }
     const double width = 1.01 * tolerance * fmax(1.0, fabs(time));
-    const oracle_verdict v = oracle_judge(trial, after, until, time, isinf(time) ? 0.0 : width, LOOKS);
+    const oracle_verdict v = oracle_judge(trial, after, until, time, isinf(time) ? 0.0 : width, SAMPLES);
     FUZZ_CHECK(!v.late, "condition %d: late, time %.17g, worst %Lg", trial->condition.kind, time, v.worst);
     FUZZ_CHECK(!v.early, "condition %d: early by more than %g, time %.17g", trial->condition.kind, width,
                time);

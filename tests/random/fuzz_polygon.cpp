@@ -210,7 +210,7 @@ void CheckRaw(const Points &points) {
 
 void FuzzDouble(fuzz_bytes *bytes) {
     const uint8_t questions = fuzz_u8(bytes) % 8;
-    Points points(FUZZ_ROOM(kMost));
+    Points points(FUZZ_POINTS(kMost));
     points.resize(fuzz_points(bytes, points.data(), kMost));
     CheckOrientations(points);
     CheckRaw(points);

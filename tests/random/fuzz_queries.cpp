@@ -118,12 +118,12 @@ void AskManyPairs(const bmr_polygon *a, const bmr_polygon *b, fuzz_bytes *bytes)
     for (bmr_pose &pose : poses)
         if (fuzz_u8(bytes) % 2 == 0)
             pose = ReadPose(bytes, fuzz_u8(bytes) % 2 == 0 ? reach : 1e-3 * reach);
-    const double look = fuzz_u8(bytes) % 16 == 0 ? fuzz_number(bytes) : margin;
+    const double need = fuzz_u8(bytes) % 16 == 0 ? fuzz_number(bytes) : margin;
     for (uint32_t i = 0; i + 1 < kBodies; ++i) {
         const bmr_pose relative = bmr_pose_relative(&poses[i], &poses[i + 1]);
         double checked;
         bool holds =
-            bmr_pair_takes(&relative) && look >= 0.0 && bmr_pair_check(&pairs[i], &relative, look, &checked);
+            bmr_pair_takes(&relative) && need >= 0.0 && bmr_pair_check(&pairs[i], &relative, need, &checked);
         if (fuzz_control("held"))
             holds = bmr_pair_takes(&relative);
         // Between bodies far from the origin, their relative pose is known to rounding, and one whose (c, s)
@@ -136,8 +136,8 @@ void AskManyPairs(const bmr_polygon *a, const bmr_polygon *b, fuzz_bytes *bytes)
                                      distance::Transformed(shapes[1 - i % 2].polygon, relative));
         const long double places = std::hypot(static_cast<long double>(relative.position.x),
                                               static_cast<long double>(relative.position.y));
-        FUZZ_CHECK(gap > look - 1e-14L * (extent + places), "pair %u holds at %.17Lg, margin %.17g", i, gap,
-                   look);
+        FUZZ_CHECK(gap > need - 1e-14L * (extent + places), "pair %u holds at %.17Lg, margin %.17g", i, gap,
+                   need);
     }
 }
 
@@ -171,8 +171,8 @@ void AskTimeOfContact(const bmr_polygon *a, const bmr_polygon *b, fuzz_bytes *by
     FUZZ_CHECK(!meets || gap(time) <= margin + kSlop, "contact at %.17g, but the distance is %.17Lg", time,
                gap(time));
     const double end = meets ? time : until;
-    for (int look = 0; look < 40; ++look) {
-        const double at = from + (end - from) * look / 40.0;
+    for (int sample = 0; sample < 40; ++sample) {
+        const double at = from + (end - from) * sample / 40.0;
         FUZZ_CHECK(at >= time || gap(at) >= margin - kSlop, "not before %.17g, but at %.17g it is %.17Lg",
                    time, at, gap(at));
     }

@@ -45,7 +45,7 @@ struct World {
     bmr_kds_def def;
     fuzz_motion_range ranges[2];
     double last;  ///< event
-    bool touched; ///< since the last look
+    bool touched; ///< since the last check
 };
 
 bmr_pose PoseAt(const World &world, double time) {
@@ -59,7 +59,7 @@ long double GapAt(const World &world, const bmr_pose &b_in_a) {
                                     distance::Transformed(world.bodies[1].polygon, b_in_a));
 }
 
-void Look(const World &world, const bmr_kds *kds, double time, const bmr_pose &relative) {
+void Check(const World &world, const bmr_kds *kds, double time, const bmr_pose &relative) {
     const long double gap = GapAt(world, relative);
     bool contact = bmr_kds_in_contact(kds);
     if (fuzz_control("missed-contact"))
@@ -86,11 +86,11 @@ void Observe(void *context, const bmr_simulation_event *event) {
                "%s: an event at %.17g after one at %.17g", world->info->name, event->time, world->last);
     world->last = event->time;
     world->touched = world->touched || bmr_kds_in_contact(event->kds);
-    Look(*world, event->kds, event->time, event->pose);
+    Check(*world, event->kds, event->time, event->pose);
 }
 
-/// Where the pair was said to be apart since the look before.
-void LookBack(const World &world, double from, double to) {
+/// Where the pair was said to be apart since the check before.
+void CheckBetween(const World &world, double from, double to) {
     for (int i = 1; i < 16; ++i) {
         const double time = from + (to - from) * i / 16.0;
         const long double gap = GapAt(world, PoseAt(world, time));
@@ -124,8 +124,8 @@ void Run(World *world, fuzz_bytes *bytes) {
     FUZZ_CHECK(made == BMR_OK, "%s: %s", world->info->name, bmr_error_describe(made));
     const bmr_kds *const kds = bmr_simulation_kds(world->simulation);
     double time = 0.0;
-    Look(*world, kds, time, PoseAt(*world, time));
-    for (int look = 0; look < 10 && time < kEnd; ++look) {
+    Check(*world, kds, time, PoseAt(*world, time));
+    for (int step = 0; step < 10 && time < kEnd; ++step) {
         const double before = time;
         world->touched = bmr_kds_in_contact(kds);
         time = std::fmin(kEnd, time + (fuzz_done(bytes) ? 0.35 : fuzz_in(bytes, 0.0, 0.5)));
@@ -134,9 +134,9 @@ void Run(World *world, fuzz_bytes *bytes) {
             error = BMR_ERROR_NOT_FINITE;
         FUZZ_CHECK(error == BMR_OK, "%s: run to %.17g: %s", world->info->name, time,
                    bmr_error_describe(error));
-        Look(*world, kds, time, PoseAt(*world, time));
+        Check(*world, kds, time, PoseAt(*world, time));
         if (!world->touched || fuzz_control("passed-by"))
-            LookBack(*world, before, time);
+            CheckBetween(*world, before, time);
         if (!fuzz_done(bytes) && fuzz_u8(bytes) % 4 == 0)
             Replan(world, time, bytes);
     }

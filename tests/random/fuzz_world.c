@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sequences of calls of a kinetic world: bodies added, removed, moved and sent elsewhere, between advances
 // and inside of contacts, with arguments of any kind. After each call: the world's own audit; no two bodies
-// overlap but those that are told to pass. The same calls on all pairs: the same contacts, bit for bit. Where
+// overlap but those that are to pass. The same calls on all pairs: the same contacts, bit for bit. Where
 // numbers are wild, the contract alone.
 #include <math.h>
 #include <stdlib.h>
@@ -157,7 +157,7 @@ static bmr_pose nearest_image(const script *s, const bmr_pose *a, bmr_pose b) {
     return b;
 }
 
-/// A contact is told where the two are within the margin, up to some 16ths of it, and no sooner.
+/// A contact is reported where the two are within the margin, up to some 16ths of it, and no sooner.
 static void check_distance(const script *s, const bmr_contact *c) {
     const double margin = bmr_default_world_def().kds.margin;
     bmr_body_state a, b;
@@ -172,7 +172,7 @@ static void check_distance(const script *s, const bmr_contact *c) {
     FUZZ_CHECK(distance <= 1.5 * margin, "a contact at %.17g, %g apart", c->time, distance);
 }
 
-static bmr_response tell(void *context, bmr_world *world, const bmr_contact *c) {
+static bmr_response answer(void *context, bmr_world *world, const bmr_contact *c) {
     script *s = context;
     FUZZ_CHECK(c->time >= s->last, "back in time");
     FUZZ_CHECK(bmr_world_advance(world, END) == BMR_ERROR_OUT_OF_RANGE, "advanced from inside");
@@ -215,7 +215,7 @@ typedef struct passing {
     bool passes;
 } passing;
 
-static void look_for(void *context, const bmr_world_pair *pair) {
+static void find_pair(void *context, const bmr_world_pair *pair) {
     passing *p = context;
     p->passes |= pair->a == p->a && pair->b == p->b && pair->watch == BMR_WATCH_PASSING;
     p->passes |= pair->a == p->b && pair->b == p->a && pair->watch == BMR_WATCH_PASSING;
@@ -235,7 +235,7 @@ static void check_overlaps(const script *s) {
                 overlap.depth < 1e-9)
                 continue;
             passing pair = {a, b, false};
-            bmr_world_each_pair(s->world, look_for, &pair);
+            bmr_world_each_pair(s->world, find_pair, &pair);
             if (fuzz_control("overlap"))
                 pair.passes = false;
             FUZZ_CHECK(pair.passes, "%llu and %llu overlap by %g", (unsigned long long)a,
@@ -268,7 +268,7 @@ static void run(script *s, const uint8_t *data, size_t size, bool all_pairs) {
     def.high = bmr_vec2_make(s->size, s->size);
     def.all_pairs = all_pairs;
     def.zeno = how / 6 % 2 ? BMR_ZENO_ELASTIC : BMR_ZENO_ERROR;
-    def.contact = tell;
+    def.contact = answer;
     def.observer = count_events;
     def.context = s;
     FUZZ_CHECK(bmr_world_create(&def, 0.0, NULL, &s->world) == BMR_OK, "a world");

@@ -106,7 +106,7 @@ static inline bool fuzz_common_root(const bmr_algebraic_piece *w, double low, do
 }
 
 /// The contract: a rotation's a and b have no common root. Where they have one in the range, or come near to
-/// one at a look, the piece is made not to turn. (Between the looks they may come as near as they like.)
+/// one at a sample, the piece is made not to turn. (Between the samples they may come as near as they like.)
 static inline void fuzz_tame(bmr_motion_piece *piece, const fuzz_motion_range *range) {
     if (range->wild || piece->kind != BMR_PIECE_ALGEBRAIC)
         return;

@@ -14,9 +14,9 @@ extern "C" {
 
 /// @file
 /// Reads points for a polygon: one by one, each in the way its first byte says, or by a generator that makes
-/// many of few bytes. `points` has room for FUZZ_ROOM(most).
+/// many of few bytes. `points` has FUZZ_POINTS(most).
 
-#define FUZZ_ROOM(most) ((size_t)(most) + 12)
+#define FUZZ_POINTS(most) ((size_t)(most) + 12)
 
 /// One more point after `count` others.
 static inline bmr_vec2 fuzz_point(fuzz_bytes *bytes, const bmr_vec2 *points, size_t count) {
@@ -125,7 +125,7 @@ static inline size_t fuzz_points(fuzz_bytes *bytes, bmr_vec2 *points, size_t mos
 
 /// The hull of fuzz_points, of 3 vertices and more if it may be; NULL where the points make none.
 static inline bmr_polygon *fuzz_polygon(fuzz_bytes *bytes, size_t most) {
-    bmr_vec2 *points = (bmr_vec2 *)malloc(FUZZ_ROOM(most) * sizeof *points);
+    bmr_vec2 *points = (bmr_vec2 *)malloc(FUZZ_POINTS(most) * sizeof *points);
     bmr_polygon *polygon = NULL;
     if (!points)
         abort();

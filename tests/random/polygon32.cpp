@@ -335,7 +335,7 @@ void FuzzPolygon32(fuzz_bytes *bytes); // of fuzz_polygon.cpp
 
 void FuzzPolygon32(fuzz_bytes *bytes) {
     const uint8_t first = fuzz_u8(bytes), questions = first % 16;
-    std::vector<bmr_vec2> wide(FUZZ_ROOM(kMost));
+    std::vector<bmr_vec2> wide(FUZZ_POINTS(kMost));
     wide.resize(fuzz_points(bytes, wide.data(), kMost));
     Points points;
     for (const bmr_vec2 p : wide)

@@ -25,7 +25,7 @@ namespace actor {
     DO(CreateJoint, 5) DO(DestroyJoint, 1) DO(ChangeJoint, 2) DO(ShiftOrigin, 3) DO(SetGravity, 2) \
     DO(SetTimeStep, 1) DO(SetIterations, 1) DO(SetSolver, 1) DO(SetReactions, 9) DO(SetRefusals, 1) \
     DO(AskWorld, 4) DO(ProbeContact, 3) DO(ProbeFixtures, 2) DO(SwitchWorld, 0) DO(RecreateWorld, 0) \
-    DO(MoveElsewhere, 3) DO(WakeAll, 0) DO(LookAround, 0) DO(EmptyWorld, 0) DO(Crowd, 3) \
+    DO(MoveElsewhere, 3) DO(WakeAll, 0) DO(Inspect, 0) DO(EmptyWorld, 0) DO(Crowd, 3) \
     DO(ChangeHands, 2) DO(ExchangeFixtures, 3) DO(ReplaceFixture, 3) DO(ReplaceBody, 3) \
     DO(MoveCentre, 4) DO(SetDensities, 3) DO(TurnOften, 3) DO(Throw, 5) DO(Carry, 4) DO(ThereAndBack, 3) \
     DO(DisableContacts, 2) DO(MaskBody, 2) DO(JoinContact, 2) DO(EditAllInPlace, 2) DO(Throng, 5) \
@@ -105,7 +105,7 @@ private:
     b2Fixture *SomeFixtureOf(b2Body *body);
     b2Joint *SomeJoint();
     b2Contact *SomeContact();
-    bool HasRoom() { return Box2D().GetBodyCount() < m_mostBodies; }
+    bool MayGrow() { return Box2D().GetBodyCount() < m_mostBodies; }
 
     void BuildBin();
     bool End(Record *record);

@@ -52,7 +52,7 @@ void Actor::CreateBody() {
         def.linearVelocity = Velocity();
     if ((how & 32) != 0)
         def.angularVelocity = Signed(0.1f);
-    if (!HasRoom())
+    if (!MayGrow())
         return;
     b2Body *body = m_world->Create(def);
     for (int parts = how / 64 == 3 ? 2 + Below(6) : 1; parts > 0; --parts)
@@ -61,7 +61,7 @@ void Actor::CreateBody() {
 
 void Actor::CreateBeside() {
     b2Body *fixed = SomeBody();
-    if (fixed == nullptr || !HasRoom())
+    if (fixed == nullptr || !MayGrow())
         return;
     b2BodyDef def;
     def.type = b2_dynamicBody;

@@ -83,7 +83,7 @@ void Actor::Crowd() {
     b2FixtureDef fixture;
     fixture.density = 1.0f;
     fixture.isSensor = how == 255;
-    for (int i = 0; HasRoom(); ++i) {
+    for (int i = 0; MayGrow(); ++i) {
         b2BodyDef def;
         def.type = b2_dynamicBody;
         def.bullet = i % 5 == 0;
@@ -99,7 +99,7 @@ void Actor::Throng() {
     Dice dice(static_cast<uint32_t>(Byte()) * 256u + Byte());
     b2FixtureDef material;
     material.density = 1.0f;
-    for (int i = 0; i < number && HasRoom(); ++i) {
+    for (int i = 0; i < number && MayGrow(); ++i) {
         b2BodyDef def;
         def.type = dice.OnceIn(20) ? b2_kinematicBody : b2_dynamicBody;
         def.position = m_origin + dice.Within(wide);
@@ -163,7 +163,7 @@ void Actor::BuildLevel() {
         chain.CreateChain(floor, 11, floor[0] + b2Vec2(1.0f, 0.0f), floor[10] - b2Vec2(1.0f, 0.0f));
         m_world->Create(arena, solid, chain);
     }
-    for (int i = how / 16 % 8; i > 0 && HasRoom(); --i) {
+    for (int i = how / 16 % 8; i > 0 && MayGrow(); --i) {
         def.type = dice.OnceIn(2) ? b2_kinematicBody : b2_staticBody;
         def.position = m_origin + dice.Within(0.8f * y);
         def.angle = dice.Between(0.0f, 3.0f);
@@ -180,7 +180,7 @@ void Actor::CreateCompound() {
     const int how = Byte();
     const b2Vec2 place = Place();
     Dice dice(static_cast<uint32_t>(Byte()) * 256u + Byte());
-    if (!HasRoom())
+    if (!MayGrow())
         return;
     b2BodyDef def;
     def.type = how % 8 == 7 ? b2_kinematicBody : b2_dynamicBody;
@@ -245,7 +245,7 @@ void Actor::CreatePairs() {
     const int how = Byte(), first = Byte();
     constexpr int kKinds = 14;
     constexpr float kSide = 0.25f;
-    for (int i = 0; i < 2 + how % 32 && HasRoom(); ++i) {
+    for (int i = 0; i < 2 + how % 32 && MayGrow(); ++i) {
         const int kind = (first + i) % kKinds;
         const float room = kind == 12 ? 0.0203f + 0.0004f * static_cast<float>(i % 4) : 0.06f;
         const b2Vec2 at =
@@ -304,7 +304,7 @@ void Actor::CreatePairs() {
 /// contacts begin, end, are solved; where walls are static, by impacts.
 void Actor::CreateDrums() {
     const int how = Byte();
-    for (int i = 0; i < 1 + how % 4 && HasRoom(); ++i) {
+    for (int i = 0; i < 1 + how % 4 && MayGrow(); ++i) {
         const b2Vec2 middle =
             m_origin + b2Vec2(-4.0f - static_cast<float>(how / 4 % 8), 3.0f * static_cast<float>(i));
         b2BodyDef def;

@@ -31,7 +31,7 @@ def arguments():
     parser.add_argument("corpus", type=pathlib.Path, nargs="?")
     parser.add_argument("--first", type=int, default=int(os.environ.get("BMR_TEST_SEED", "1")))
     parser.add_argument("--seeds", type=int, default=max(24, int(480 * float(os.environ.get("BMR_TEST_SCALE", "1")))))
-    parser.add_argument("--forms", default="preloaded,everywhere,linked,told,dudley,trapped,any-size")
+    parser.add_argument("--forms", default="preloaded,everywhere,linked,observed,dudley,trapped,any-size")
     parser.add_argument("--jobs", type=int, default=int(os.environ.get("BMR_JOBS", os.cpu_count())))
     return parser.parse_args()
 
@@ -56,7 +56,7 @@ class Stage:
             "preloaded": ("actor_stock", plugin),
             "everywhere": ("actor_stock", {**plugin, "BOOMERANG_EVERYWHERE": "on"}),
             "linked": ("actor_linked", plugin),
-            "told": ("actor_linked", {**plugin, "BMR_ACTOR_INSTALL": "told"}),
+            "observed": ("actor_linked", {**plugin, "BMR_ACTOR_INSTALL": "observed"}),
             "dudley": ("actor_stock", {**plugin, "BOOMERANG_PAIRS_BY": "lazy-dudley", "BOOMERANG_EVERYWHERE": "on"}),
             "trapped": ("actor_stock", {"LD_PRELOAD": f"{traps}:{given.library}", "BOOMERANG_EVERYWHERE": "on"}),
             "switched off": ("actor_linked", {**plugin, "BOOMERANG": "off"}),

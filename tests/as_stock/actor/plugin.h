@@ -16,11 +16,11 @@ struct AnySize {
     float width, height;
 };
 
-/// bmr::Install, as games do it; or as BMR_ACTOR_INSTALL says: told (somebody listens to its events, and
+/// bmr::Install, as games do it; or as BMR_ACTOR_INSTALL says: observed (somebody listens to its events, and
 /// checks that their certificates hold). False where there is no plugin.
 bool Install();
 /// Asks for certified distances and proofs, which is not to change anything.
-void Look(b2World &world);
+void InspectAll(b2World &world);
 /// Does nothing where there are no such polygons.
 void CreateAnySize(b2Body *body, const b2FixtureDef &def, const AnySize &size);
 /// An outline with a notch and a hole.

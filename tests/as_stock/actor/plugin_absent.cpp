@@ -7,7 +7,7 @@ bool Install() {
     return false;
 }
 
-void Look(b2World &) {}
+void InspectAll(b2World &) {}
 
 void CreateAnySize(b2Body *, const b2FixtureDef &, const AnySize &) {}
 

@@ -33,12 +33,12 @@ bool Install() {
     const char *how = std::getenv("BMR_ACTOR_INSTALL");
     bmr::Options options;
     options.statistics = true;
-    if (how != nullptr && std::strcmp(how, "told") == 0)
+    if (how != nullptr && std::strcmp(how, "observed") == 0)
         options.onEvent = OnEvent;
     return bmr::Install(options);
 }
 
-void Look(b2World &world) {
+void InspectAll(b2World &world) {
     for (const b2Contact *contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext())
         bmr::internal::Inspect(*contact);
 }

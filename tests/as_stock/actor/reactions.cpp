@@ -34,7 +34,7 @@ void TurnSensorWithCare(Moment &m) {
 }
 
 /// Is Box2D in the midst of nothing that the body's contacts belong to? Then the game may end it, or put it
-/// out of the world, while a contact of others ends or is told of.
+/// out of the world, while a contact of others ends or is reported.
 bool IsStranger(const b2Body *body, const b2Contact &contact) {
     const b2Body *a = contact.GetFixtureA()->GetBody(), *b = contact.GetFixtureB()->GetBody();
     const b2Contact *next = contact.GetNext();
@@ -109,10 +109,10 @@ void TryWhatIsRefused(Moment &m) {
 #endif
 }
 
-/// The lists are whole and in their order for whoever looks.
-void LookAtContacts(Moment &m) {
+/// The lists are whole and in their order for whoever reads them.
+void ReadContacts(Moment &m) {
     testbed::HashSink &probes = m.world.Probes();
-    if (!m.world.MayLook())
+    if (!m.world.MayRead())
         return;
     for (const b2Contact *c = m.world.Box2D().GetContactList(); c != nullptr; c = c->GetNext()) {
         probes.Field("a", NumberOf(*c->GetFixtureA()));
@@ -121,9 +121,9 @@ void LookAtContacts(Moment &m) {
     }
 }
 
-void LookAtEdges(Moment &m) {
+void ReadEdges(Moment &m) {
     testbed::HashSink &probes = m.world.Probes();
-    if (!m.world.MayLook())
+    if (!m.world.MayRead())
         return;
     const b2Contact *previous = nullptr;
     for (const b2Contact *c = m.world.Box2D().GetContactList(); c != nullptr; previous = c, c = c->GetNext())
@@ -232,7 +232,7 @@ const Reaction kReactions[] = {
          m.third->SetGravityScale(m.amount - 0.5f);
          m.third->SetSleepingAllowed(m.mixed / 64 % 2 == 0);
      }},
-    {"reads contacts", kLocked, LookAtContacts},
+    {"reads contacts", kLocked, ReadContacts},
     {"steps the other world", kLocked,
      [](Moment &m) {
          if (m.world.other != nullptr && !m.world.other->Box2D().IsLocked())
@@ -258,7 +258,7 @@ const Reaction kReactions[] = {
     {"sets filter data", kLocked, [](Moment &m) { SetFilterData(m.fixture, m.mixed / 64); }},
     {"draws", kLocked,
      [](Moment &m) {
-         if (m.world.MayLook())
+         if (m.world.MayRead())
              m.world.Draw();
      }},
     {"sets the world's solver", kLocked, SetWorld},
@@ -269,7 +269,7 @@ const Reaction kReactions[] = {
          for (b2ContactEdge *edge = m.third->GetContactList(); edge != nullptr; edge = edge->next)
              m.world.Disable(edge->contact);
      }},
-    {"reads edges", kLocked, LookAtEdges},
+    {"reads edges", kLocked, ReadEdges},
     {"throws it", kLocked, [](Moment &m) { ThrowBody(m.body, m.mixed / 8); }},
     {"ends, makes, moves between steps", kUnlocked, ActBetweenSteps},
     {"puts bodies out of the world", kLocked, DisableInStep},

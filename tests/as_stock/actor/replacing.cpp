@@ -105,7 +105,7 @@ void Actor::ReplaceBody() {
     if (how % 4 == 1 && newest != body && newest->GetJointList() == nullptr)
         Box2D().DestroyBody(newest);
     Box2D().DestroyBody(body);
-    for (int copies = how % 4 == 1 ? 2 : 1; copies > 0 && HasRoom(); --copies) {
+    for (int copies = how % 4 == 1 ? 2 : 1; copies > 0 && MayGrow(); --copies) {
         b2Body *made = m_world->Create(def);
         for (const Kept &kept : fixtures)
             m_world->Create(made, kept.def, kept.Shape());

@@ -112,7 +112,7 @@ void World::Step(float timeStep, int32 velocityIterations, int32 positionIterati
         return;
     m_stepping = true;
     ++m_steps;
-    m_looked = 0;
+    m_read = 0;
     if (m_handsChanged)
         ChangeHands(0);
     m_handsChanged = false;
@@ -192,7 +192,7 @@ void World::RememberPlaces() {
         m_places[NumberOf(*body)] = {body->GetWorldCenter(), body->GetAngle()};
 }
 
-/// Box2D tells of begins twice in a step at most: where contacts are brought up to date, before any body has
+/// Box2D reports begins twice in a step at most: where contacts are brought up to date, before any body has
 /// moved, and in impacts, after all have.
 void World::Watch(const b2Contact &contact) {
     for (const b2Fixture *fixture : {contact.GetFixtureA(), contact.GetFixtureB()}) {

@@ -80,12 +80,12 @@ public:
         contact->SetEnabled(false);
         m_disabled = true;
     }
-    /// Not more than a step can afford, in a crowd in which everybody looks at everything.
-    bool MayLook() { return (m_looked += m_world.GetContactCount()) < 8000; }
+    /// Not more than a step can afford, in a crowd in which everybody reads everything.
+    bool MayRead() { return (m_read += m_world.GetContactCount()) < 8000; }
     /// Hashes what b2World::DebugDraw draws.
     void Draw();
     b2Body *SomeBody(uint32_t mixed);
-    /// In the midst of a step of this world, after bodies were moved: listeners are told of impacts.
+    /// In the midst of a step of this world, after bodies were moved: listeners hear of impacts.
     bool IsInImpacts() const { return m_inImpacts; }
     /// From a listener while contacts are brought up to date: a step of the same world, which unlocks it, and
     /// what only an unlocked world lets a game do.
@@ -145,7 +145,7 @@ private:
     bool m_handsChanged = false; ///< by a callback: until the next step
     bool m_heard = true, m_disabled = false;
     bool m_called = false;   ///< a listener or a filter, since the step began
-    bool m_reacting = false; ///< what a callback does calls others: those only look
+    bool m_reacting = false; ///< what a callback does calls others: those only read
     bool m_stepping = false;
     bool m_inItself = false;
     bool m_inImpacts = false;
@@ -159,7 +159,7 @@ private:
     testbed::HashSink m_probes;
     uintptr_t m_bodiesMade = 0, m_fixturesMade = 0, m_jointsMade = 0;
     uint32_t m_steps = 0;
-    int32 m_looked = 0; ///< at so many contacts in this step
+    int32 m_read = 0; ///< contacts in this step
 };
 
 /// The shape of a fixture whose vertices may be changed in place; nullptr where it is any other. (Those of a
@@ -174,7 +174,7 @@ void ProbeContact(testbed::HashSink &sink, b2Contact &contact, b2Vec2 away);
 void EditAll(b2Body *body, float scale, b2Vec2 by);
 
 /// Moves all vertices away from the middle of the body, or toward it once one is farther than `reach`.
-/// Normals stay right, and Box2D is not told.
+/// Normals stay right, and Box2D does not know.
 void ScaleInPlace(b2PolygonShape *polygon, float reach);
 
 // What listeners and filters do alike: to a body or a fixture, as a number says.

@@ -138,8 +138,8 @@ void Actor::RecreateWorld() {
     m_world = &*m_worlds[index];
 }
 
-void Actor::LookAround() {
-    Look(Box2D());
+void Actor::Inspect() {
+    InspectAll(Box2D());
 }
 
 void Actor::ChangeHands() {

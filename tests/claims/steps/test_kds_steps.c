@@ -96,20 +96,20 @@ TEST(no_repair_runs_more_than_a_constant_for_each_step_that_it_reports) {
 }
 
 /// An ellipse and a regular polygon.
-static test_couple couple_make(bmr_structure structure, size_t n, size_t m, test_random *random) {
+static test_pair pair_make(bmr_structure structure, size_t n, size_t m, test_random *random) {
     bmr_polygon *ellipse = test_polygon(TEST_ELLIPSE, n, random);
-    return test_couple_make(structure, ellipse, test_polygon(TEST_REGULAR, m, random));
+    return test_pair_make(structure, ellipse, test_polygon(TEST_REGULAR, m, random));
 }
 
 static void step_pair(test_motion_kind kind, bmr_structure structure, size_t n, uint64_t seed, tally *t) {
     test_random random = test_random_from(seed);
-    own_couple c = couple_make(structure, n, n, &random);
+    own_pair c = pair_make(structure, n, n, &random);
     test_motion motion = test_motion_make(kind, c.shape[0].polygon, c.shape[1].polygon, &random);
     for (int i = 0; i < 2000; ++i) {
         const bmr_pose q = test_motion_next(&motion, &random);
         c.counters.steps = 0;
         const uint64_t before = blocks;
-        test_couple_advance(&c, &q, NULL);
+        test_pair_advance(&c, &q, NULL);
         if (c.counters.steps > 0) // else the old proof held
             note(t, before, (double)c.counters.steps);
     }
@@ -138,7 +138,7 @@ static double steps_of_coarsening(bmr_structure structure, size_t n, size_t m) {
     size_t repairs = 0;
     for (uint64_t seed = 1; seed <= 10; ++seed) {
         test_random random = test_random_from(seed);
-        own_couple c = couple_make(structure, n, m, &random);
+        own_pair c = pair_make(structure, n, m, &random);
         const bmr_polygon *a = c.shape[0].polygon, *b = c.shape[1].polygon;
         const double direction = test_random_uniform(&random, 0.0, 6.28),
                      angle = test_random_uniform(&random, 0.0, 6.28);
@@ -146,9 +146,9 @@ static double steps_of_coarsening(bmr_structure structure, size_t n, size_t m) {
             const bmr_pose near = test_pose_at(a, b, direction, angle, 1e-5),
                            far = test_pose_at(a, b, direction + 0.05 + 0.1 * k, angle, 0.2);
             bmr_pair_init(&c.pair);
-            test_couple_advance(&c, &near, NULL);
+            test_pair_advance(&c, &near, NULL);
             c.counters = (bmr_counters){0};
-            test_couple_advance(&c, &far, NULL);
+            test_pair_advance(&c, &far, NULL);
             if (c.counters.events[BMR_EVENT_COARSEN] < 3)
                 continue;
             steps += (double)c.counters.steps;
