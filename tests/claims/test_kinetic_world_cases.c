@@ -108,6 +108,26 @@ TEST(a_ball_in_a_box_is_reflected_by_its_walls) {
     }
 }
 
+TEST(what_is_thrown_along_a_wall_hits_it_far_away) {
+    for (int upright = 0; upright < 2; upright++) {
+        own_stage *s = make_stage(BMR_WALLED, 100.0);
+        // 2 over the wall, and up, and down again while it goes along it.
+        const bmr_algebraic_piece path = {
+            .degree = 2, .x = {-80.0, 8.0, 0.0}, .y = {-98.0, 4.0, -0.2}, .a = {1.0}, .start_c = 1.0};
+        bmr_motion_piece piece = {.kind = BMR_PIECE_ALGEBRAIC, .as.algebraic = path};
+        if (upright) {
+            memcpy(piece.as.algebraic.x, path.y, sizeof path.y);
+            memcpy(piece.as.algebraic.y, path.x, sizeof path.x);
+        }
+        add_piece(s, box(0.5), piece, 0.0);
+        advance(s, 21.0);
+        assert_int_equal(s->count, 1);
+        assert_int_equal(s->contacts[0].b, upright ? BMR_WALL(0) : BMR_WALL(2));
+        const double fall = 1.5 - MARGIN;
+        assert_near(s->contacts[0].time, (4.0 + sqrt(16.0 + 0.8 * fall)) / 0.4, 1e-9);
+    }
+}
+
 TEST(a_box_that_is_passed_is_left) {
     own_stage *s = make_passing_stage();
     const bmr_polygon *b = box(1.0);
