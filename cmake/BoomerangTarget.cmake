@@ -4,7 +4,7 @@
 #   boomerang_shared(<target> <static target> <name> [<library>...])
 #   boomerang_find(<option> <what> <Debian package> <target> <package> [<arguments of find_package>...])
 # Floating point must mean the same thing everywhere: no contraction, no fast-math. And what a game may trap (FE_INVALID and
-# the like) must not come from a lane that nobody uses: clang divides nothing by nothing there unless it is told.
+# the like) must not come from a lane that nobody uses: clang divides nothing by nothing there without -ffp-exception-behavior=maytrap.
 function(boomerang_target target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off
     $<$<BOOL:${BOOMERANG_WARNINGS_AS_ERRORS}>:-Werror>)

@@ -11,7 +11,7 @@
 
 namespace testbed {
 
-/// A plain Box2D program: what it builds, what it does between steps, what it does when told of contacts.
+/// A plain Box2D program: what it builds, what it does between steps, what it does at contacts.
 /// Deterministic: chance comes from stage.Rng() alone, and nothing depends on addresses or clocks.
 class Scene {
 public:

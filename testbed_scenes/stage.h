@@ -20,7 +20,7 @@ enum class BodyKind {
     Circle ///< what is round becomes a circle, all else as Many
 };
 
-/// What a scene is told that lets its polygons' size be chosen.
+/// How large the polygons are of a scene that lets that be chosen, and what they are made of.
 struct PolygonChoice {
     BodyKind bodies = BodyKind::Many;
     int vertices = 0; ///< 0: there is nothing to choose

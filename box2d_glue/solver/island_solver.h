@@ -76,12 +76,12 @@ public:
     b2Contact *Contact(uint32_t i) const { return m_contacts[m_waiting.endContact + i]; }
     IslandScratch &Scratch() { return m_scratch; }
 
-    /// b2Island::Solve. If Begin was told so the island may wait to be solved together with others, as late
+    /// b2Island::Solve. If Begin allows it, the island may wait to be solved together with others, as late
     /// as in Finish: they share no body that moves.
     void Solve(const b2Vec2 &gravity, bool allowSleep);
     /// b2Island::SolveTOI, by the step that Begin was given. The first two bodies are those that meet. A body
     /// may be in the island twice, where a listener stepped the world while the island grew. Its
-    /// m_islandIndex then tells which of its places counts.
+    /// m_islandIndex then says which of its places counts.
     void SolveToi();
 
     /// Ends a pass. Adds what its parts took to the profile, if there is one: solveInit, solveVelocity and

@@ -68,7 +68,7 @@ inline bool Verifying() {
 }
 
 /// Is nothing left to Box2D because it would cost more here than it saves? So it is where answers are
-/// counted, told of or compared, and where structures of hulls are asked for: a small world's, or one's that
+/// counted, reported or compared, and where structures of hulls are asked for: a small world's, or one's that
 /// moves too much, would not be.
 inline bool WorksEverywhere() {
     const Options &options = GetSettings().options;

@@ -94,7 +94,7 @@ bmr_error bmr_clear_decomposition(const bmr_course *course, double kappa, double
         const double step = STEP_PART * distance / kappa;
         const double next = step_end(&d, time, step);
         if (!(next > time))
-            return BMR_ERROR_OUT_OF_RANGE; // faster than time can be told
+            return BMR_ERROR_OUT_OF_RANGE; // faster than time resolves
         const bmr_pose to = bmr_course_pose(course, next);
         const double there = bmr_pose_distance(a, b, &to);
         add_to_found(&d, &at, distance, &to, step);

@@ -9,7 +9,7 @@
 // A search that starts from last step's winner was measured: its separation first, then vertex after vertex
 // until each other edge has one below it, which gives the same winner. In lanes it costs more than it saves:
 // four edges come for the price of one, and the winner's own separation takes as long as two vertices do for
-// all. Instructions of bmr_exact32_collide, all told: pyramid +17 %, vertical stack +17 %, piled coins +8 %,
+// all. Instructions of bmr_exact32_collide, in all: pyramid +17 %, vertical stack +17 %, piled coins +8 %,
 // gears +28 %; used for five edges and more alone, coins +5 %, gears +12 %.
 
 /// Normals and first vertices of four edges, posed.

@@ -5,7 +5,7 @@
 //
 // A tangent alone proves no margin. So one body, the thick one, is taken with its edges moved out by the
 // margin: the line then keeps the margin from it. Where the thick body is nearer to the other than a tangent
-// can be told (at sharp corners that is up to margin / sin(angle/2)), the closest features serve until it is
+// can be found (at sharp corners that is up to margin / sin(angle/2)), the closest features serve until it is
 // not.
 #include <float.h>
 #include <math.h>

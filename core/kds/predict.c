@@ -58,7 +58,7 @@
 /// It may turn towards the end of the cone until it separates by only this part of the distance.
 #define LEAN_LEAST_PART 0.25
 
-/// How the pair moves on. Only the relative motion is told, so that it is not known which body turns.
+/// How the pair moves on. Only the relative motion is given, so that it is not known which body turns.
 typedef enum predict_model {
     MODEL_B_STRAIGHT, ///< seen from A, B's origin goes straight while B turns
     MODEL_A_STRAIGHT, ///< seen from B, A's origin goes straight while A turns

@@ -34,7 +34,7 @@ typedef struct bmr_sweep_event {
     uint32_t end_count, start_count;
 } bmr_sweep_event;
 
-/// Called at each place, with all strands so far. It may write to the `gap` of those that it is told of.
+/// Called at each place, with all strands so far. It may write to the `gap` of those that the event names.
 typedef void bmr_sweep_visit(void *context, bmr_strand *strands, const bmr_sweep_event *event);
 
 /// The most strands and the most places that a sweep over so many points comes to: a place splits one edge in

@@ -4,13 +4,13 @@
 if(NOT EXISTS ${GSL_SOURCE}/poly/zsolve.c)
   message(FATAL_ERROR "GSL_SOURCE is '${GSL_SOURCE}', where no source of GSL is: tools/debian_source.sh fetches it")
 endif()
-set(gsl_room ${PROJECT_BINARY_DIR}/gsl)
+set(gsl_folder ${PROJECT_BINARY_DIR}/gsl)
 # GSL's files say <gsl/name.h>, and lie in the folders of their trades.
 file(GLOB gsl_headers ${GSL_SOURCE}/gsl_*.h ${GSL_SOURCE}/*/gsl_*.h)
-file(COPY ${gsl_headers} DESTINATION ${gsl_room}/gsl)
+file(COPY ${gsl_headers} DESTINATION ${gsl_folder}/gsl)
 # All that `configure` would have found out and these files ask for.
-file(WRITE ${gsl_room}/config.h.new "#define HAVE_IEEE_COMPARISONS 1\n#define HAVE_IEEE_DENORMALS 1\n#define RETURN_IF_NULL(x) if (!x) { return ; }\n")
-configure_file(${gsl_room}/config.h.new ${gsl_room}/config.h COPYONLY)
+file(WRITE ${gsl_folder}/config.h.new "#define HAVE_IEEE_COMPARISONS 1\n#define HAVE_IEEE_DENORMALS 1\n#define RETURN_IF_NULL(x) if (!x) { return ; }\n")
+configure_file(${gsl_folder}/config.h.new ${gsl_folder}/config.h COPYONLY)
 add_library(gsl STATIC
   ${GSL_SOURCE}/err/error.c ${GSL_SOURCE}/err/stream.c ${GSL_SOURCE}/err/strerror.c
   ${GSL_SOURCE}/poly/zsolve.c ${GSL_SOURCE}/poly/zsolve_init.c ${GSL_SOURCE}/poly/zsolve_quadratic.c
@@ -18,6 +18,6 @@ add_library(gsl STATIC
   ${GSL_SOURCE}/rng/rng.c ${GSL_SOURCE}/rng/inline.c ${GSL_SOURCE}/rng/mt.c
   ${GSL_SOURCE}/randist/flat.c ${GSL_SOURCE}/randist/gauss.c
   ${GSL_SOURCE}/sys/coerce.c ${GSL_SOURCE}/sys/fdiv.c ${GSL_SOURCE}/sys/infnan.c)
-target_include_directories(gsl SYSTEM PUBLIC ${gsl_room} PRIVATE ${GSL_SOURCE})
+target_include_directories(gsl SYSTEM PUBLIC ${gsl_folder} PRIVATE ${GSL_SOURCE})
 target_compile_options(gsl PRIVATE -w -ffp-contract=off)
 add_library(GSL::gsl ALIAS gsl)

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Room around a periodic box, in parts of it: bodies reach over its sides.
+/// Margin around a periodic box, in parts of it: bodies reach over its sides.
 constexpr double kAroundBox = 0.06;
 
 /// Before the work: the picture must have a place.

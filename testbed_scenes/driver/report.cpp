@@ -252,7 +252,7 @@ const std::vector<std::string> kVerdictLegend = {
     "linked: a program that was linked with the plugin; preloaded: stock's program, plugin in LD_PRELOAD",
     "bits: every body, contact, impulse and listener event of every step, hashed and compared",
     "question: a call of b2CollidePolygons, b2TimeOfImpact or b2Distance; event: of a certificate",
-    "any-...: stock Box2D does not have these polygons; its place has the plugin told to be off "
+    "any-...: stock Box2D does not have these polygons; its place has the plugin switched off "
     "(BOOMERANG=off)"};
 
 void AddFigures(std::vector<Table::Cell> &row, const SceneResult &result,

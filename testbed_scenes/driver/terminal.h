@@ -68,7 +68,7 @@ private:
 bool WantsColour(int fd);
 
 /// One line on stderr, rewritten in place: what is being done, how much of the whole, how long it will take.
-/// Writes nothing at all when stderr is no terminal, or when told to be quiet.
+/// Writes nothing at all when stderr is no terminal, or when it is to be quiet.
 class Progress {
 public:
     Progress(int units, bool quiet);

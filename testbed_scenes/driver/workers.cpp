@@ -167,7 +167,7 @@ fs::path Workers::ProgramOf(Side side) const {
     return m_directory / (stock ? "boomerang-scene" : "boomerang-scene-plugin");
 }
 
-/// What a worker is told, whatever habits the caller's environment has. An empty value counts as none.
+/// What a worker reads, whatever habits the caller's environment has. An empty value counts as none.
 std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
                                                 const WorkerOptions &options) const {
     std::string mode, preload;

@@ -45,12 +45,12 @@ struct SceneInfo {
 std::optional<double> NumberAt(const nlohmann::json &json, const std::string &pointer);
 
 /// Stock Box2D, or Box2D with the plugin: never in one process. Plugin: the program that was linked
-/// with it. Preloaded: stock's program, with the plugin in LD_PRELOAD. Off: as Plugin, but told to be off,
+/// with it. Preloaded: stock's program, with the plugin in LD_PRELOAD. Off: as Plugin, but switched off,
 /// which leaves polygons of any size and nothing else.
 enum class Side { Stock, Plugin, Preloaded, Off };
 
 const char *NameOf(Side side);
-/// The side that the plugin's is held against: stock, or the plugin told to be off where stock Box2D does not
+/// The side that the plugin's is held against: stock, or the plugin switched off where stock Box2D does not
 /// have the scene's polygons.
 Side StockFor(const SceneInfo &scene);
 

@@ -123,7 +123,7 @@ struct Event {
 
 struct Frame {
     std::string scene;
-    /// stock, plugin, or off: with the plugin told to be off; world: none of Box2D
+    /// stock, plugin, or off: with the plugin switched off; world: none of Box2D
     std::string program;
     double time = 0.0; ///< of a kinetic world
     /// Sides of a periodic box about the origin, whose bodies are taken back into it; else (0, 0).

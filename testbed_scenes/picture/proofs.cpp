@@ -120,12 +120,12 @@ void DrawRing(Canvas &canvas, bmr_vec2 at, double radius, const Colour &colour, 
     canvas.Dot(at, 1.8 * unit, colour);
 }
 
-/// The gap as a dimension: arrows at both ends where there is room for them.
+/// The gap as a dimension: arrows at both ends where they fit.
 void DrawGap(Canvas &canvas, const Shown &shown, const Colour &colour, double unit) {
-    constexpr double kRoomForArrows = 22.0;
+    constexpr double kShortestForArrows = 22.0;
     const Pen pen = {colour, 1.6 * unit, 1.0, {}};
     const bmr_vec2 way = bmr_sub(shown.onOther, shown.onOwner);
-    if (std::sqrt(bmr_dot(way, way)) * canvas.Scale() > kRoomForArrows * unit) {
+    if (std::sqrt(bmr_dot(way, way)) * canvas.Scale() > kShortestForArrows * unit) {
         const bmr_vec2 middle = Middle(shown.onOwner, shown.onOther);
         canvas.Arrow(middle, shown.onOther, pen);
         canvas.Arrow(middle, shown.onOwner, pen);

@@ -87,8 +87,8 @@ namespace {
 constexpr double kMiddleFrom = 0.05, kReach = 0.3;
 /// Share of the region left empty around what it shows.
 constexpr double kMargin = 0.04;
-/// Around a body in focus: room for what is beside it.
-constexpr double kRoomAround = 0.25;
+/// Share of the focus added around a body, for what is beside it.
+constexpr double kAroundFocus = 0.25;
 /// The picture's height is kept between these multiples of its width.
 constexpr double kFlattest = 0.35, kTallest = 1.1;
 
@@ -155,7 +155,7 @@ Rectangle RegionOfOne(const WorldView &world, int number) {
         if (isNear || pair == pairs[0])
             Grow(&region, gap);
     }
-    return Widened(region, kRoomAround);
+    return Widened(region, kAroundFocus);
 }
 
 /// A region of an awkward shape gets more of its surroundings, about its own middle.

@@ -17,7 +17,7 @@ class b2Contact;
 
 namespace testbed {
 
-/// Is told what the plugin does while a world steps.
+/// Hears what the plugin does while a world steps.
 class PluginObserver {
 public:
     virtual ~PluginObserver() = default;
@@ -31,7 +31,7 @@ public:
 /// games have it. The observer (nullptr: none) must live as long as the process steps.
 void InstallPlugin(const std::string &structure, bool count, PluginObserver *observer);
 
-/// "stock", "plugin", or "off": linked with the plugin, which is told to be off.
+/// "stock", "plugin", or "off": linked with the plugin, which is switched off.
 const char *PluginName();
 /// What the plugin counted, or null.
 nlohmann::json PluginStatistics();

@@ -25,13 +25,13 @@ std::string NameOf(bmr_body body) {
 
 [[noreturn]] void Stop(bmr_error error, const bmr_world *world, const WorldChoice &choice) {
     const bmr_world_trouble trouble = bmr_world_get_trouble(world);
-    const bool told = trouble.error == error && trouble.kind != BMR_TROUBLE_OTHER;
+    const bool known = trouble.error == error && trouble.kind != BMR_TROUBLE_OTHER;
     char text[64];
     std::snprintf(text, sizeof text, "the world stopped at time %.9g: ", bmr_world_time(world));
     std::string why = text;
     if (trouble.error == error && trouble.a != BMR_NO_BODY)
         why += NameOf(trouble.a) + (trouble.b != BMR_NO_BODY ? " and " + NameOf(trouble.b) : "") + ": ";
-    why += told ? bmr_trouble_describe(trouble.kind) : bmr_error_describe(error);
+    why += known ? bmr_trouble_describe(trouble.kind) : bmr_error_describe(error);
     if (error == BMR_ERROR_STALLED)
         why += choice.zeno == BMR_ZENO_ERROR ? " (--zeno elastic answers slow contacts elastically)"
                                              : " (a larger --zeno-speed may end these contacts)";

@@ -72,7 +72,7 @@ test_every_kind_of_file() {
     grep -q '<svg' "$scratch/picture.svg" || fail "no SVG"
 }
 
-# Stock Box2D does not have these polygons: its place has the plugin told to be off, and the picture says so.
+# Stock Box2D does not have these polygons: its place has the plugin switched off, and the picture says so.
 test_scenes_that_stock_does_not_have() {
     draw "$scratch/on.svg" any-stack --step 5 --bare --width 400
     draw "$scratch/off.svg" any-stack --step 5 --bare --width 400 --plugin off

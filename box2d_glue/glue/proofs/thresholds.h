@@ -14,7 +14,7 @@ namespace bmr {
 constexpr double kRoundingMargin = 0.2 * b2_linearSlop;
 
 /// b2CollidePolygons clips in world coordinates, each as large as X. A moved point is off by 1.4 units of X,
-/// its product with a normal by 3, a clipped corner all told by 16.5 (units are halves of FLT_EPSILON;
+/// its product with a normal by 3, a clipped corner in all by 16.5 (units are halves of FLT_EPSILON;
 /// README.md beside this has the derivation, test_glue_threshold_bounds computes it). So up to this distance
 /// from the origin all of it stays within kRoundingMargin; beyond, pairs go to Box2D.
 constexpr double kReach = kRoundingMargin / (16.0 * FLT_EPSILON);
