@@ -110,7 +110,7 @@ TEST_CASE("vertices that close in on a corner cost no more") {
     }
 }
 
-// --- the search for the closest direction against all pairs of features in long double, on every family, at
+// --- the search for the closest direction against rational arithmetic, on every family, at
 // distances from 1e-9 to 30 times the shapes: the separation that it reports is the distance, up to the
 // tolerance and the rounding of the posed vertices ---
 
@@ -123,7 +123,7 @@ constexpr int kPlaces = 8;
 /// at most 2^-53: 5.6e-16 of the scale in each coordinate, 7.8e-16 as a vector.
 constexpr long double kRounding = 8e-16L;
 
-using distance::Point, distance::Points, distance::SignedDistance, distance::Transformed;
+using exact::Posed, exact::PosedOf, exact::SignedDistance;
 
 struct Tally {
     size_t queries = 0, near = 0, starts = 0;
@@ -149,13 +149,11 @@ bmr_simplex Start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose &po
                   Tally &tally) {
     bmr_simplex start;
     bmr_closest_start(a, b, &pose, &near, &start);
-    const Points p = Transformed(a, {{0.0, 0.0}, 1.0, 0.0}), q = Transformed(b, pose);
-    const auto apart = [&](uint32_t i) {
-        return Point{q[start.b[i]].x - p[start.a[i]].x, q[start.b[i]].y - p[start.a[i]].y};
+    const auto part = [&start](const bmr_polygon *p, const uint32_t *vertices, const bmr_pose &at) {
+        return Posed{{p->vertices[vertices[0]], p->vertices[vertices[start.count - 1]]}, at};
     };
-    const Point first = apart(0), last = apart(start.count - 1);
-    const Point way = distance::ToSegment({0.0L, 0.0L}, first, last);
-    const long double of = std::hypot(way.x, way.y), distance = SignedDistance(p, q);
+    const long double of = SignedDistance(part(a, start.a, bmr_pose_identity()), part(b, start.b, pose)),
+                      distance = SignedDistance(PosedOf(a), PosedOf(b, pose));
     const long double scale = a->extent + b->extent + std::hypot(pose.position.x, pose.position.y);
     ++tally.starts;
     // An angle is known to the rounding over the distance, and what it costs is its square.
@@ -166,14 +164,13 @@ bmr_simplex Start(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose &po
     return start;
 }
 
-void Judge(const Points &a, const Points &b, const bmr_closest &closest, long double scale, Tally &tally) {
+void Judge(const Posed &a, const Posed &b, const bmr_closest &closest, long double scale, Tally &tally) {
     const long double distance = SignedDistance(a, b), slop = kRounding * scale;
     ++tally.queries;
     tally.near += distance < 1e-6L;
     CHECK(closest.separation >= distance / (1.0L + BMR_DISTANCE_TOLERANCE) - slop);
     CHECK(closest.separation <= distance + slop);
-    CHECK(distance::SeparationAlong(a, b, closest.direction.x, closest.direction.y) >=
-          closest.separation - 2.0L * slop);
+    CHECK(exact::SeparationAlong(closest.direction, a, b) >= closest.separation - 2.0L * slop);
 }
 
 /// Two random polygons in random directions from one another, each time at a random distance.
@@ -210,7 +207,7 @@ void RunOne(uint64_t seed, Tally &tally) {
         if (way == 1 && apart)
             simplex = Start(a, b, pose, simplex, tally);
         if (bmr_closest_direction(a, b, &pose, 0.0, 0.0, &simplex, &closest))
-            Judge(Transformed(a, {{0.0, 0.0}, 1.0, 0.0}), Transformed(b, pose), closest,
+            Judge(PosedOf(a), PosedOf(b, pose), closest,
                   a->extent + b->extent + std::hypot(pose.position.x, pose.position.y), tally);
     }
     std::free(a);

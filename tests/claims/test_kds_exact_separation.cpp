@@ -4,7 +4,7 @@
 // some units in the last place about the margin, of slivers too, near the origin and far from it.
 #include "boomerang/kds.h"
 #include "cases.h"
-#include "exact_polygons.h"
+#include "exact_distance.h"
 #include "kds_driver.h"
 #include "motions.h"
 
@@ -33,8 +33,8 @@ test_kds_body OtherBody(bmr_kds_domain domain, test_random *random, double shift
     return RandomBody(random, shift);
 }
 
-Number Truth(const Body &a, const Body &b, const bmr_pose &q) {
-    return exact::SquaredDistance(exact::PlacesOf(a.body.polygon), exact::PlacesAt(b.body.polygon, q));
+mpq_class Truth(const Body &a, const Body &b, const bmr_pose &q) {
+    return SquaredDistance(PosedOf(a.body.polygon), PosedOf(b.body.polygon, q));
 }
 
 double Nudged(double x, test_random *random) {
@@ -67,7 +67,7 @@ void Check(const bmr_kds_info *info, test_random *random, Tally *tally) {
     const bmr_instant now = {q, {0.0, 0.0}, 0.0};
     bmr_kds_report report;
     bmr_kds_start(kds, &now, &report);
-    const Number truth = Truth(a, b, q);
+    const mpq_class truth = Truth(a, b, q);
     if (report.apart) {
         ++tally->apart;
         CHECK((truth > Square(def.margin - kRounding * extents)));
@@ -149,7 +149,7 @@ void CheckBorder(const bmr_kds_info *info, test_random *random, Border *border) 
         // Far on either side, and where nothing but the rounding of a large reach can make it contact.
         const double near = 1e-9 * extents + 0x1p-53 * reach;
         const bmr_pose q = place(reach + (i < 4 ? rounding * test_random_uniform(random, -2.0, 2.0) : near));
-        const Number truth = Truth(a, b, q);
+        const mpq_class truth = Truth(a, b, q);
         if (bmr_kds_in_contact(kds)) {
             ++border->contacts;
             CHECK((truth <= Square(reach + rounding)));

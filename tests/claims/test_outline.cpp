@@ -3,9 +3,9 @@
 // tolerance.
 #include "boomerang/outline.h"
 #include "cases.h"
+#include "exact_distance.h"
 #include "outline_families.h"
 #include "outline_oracle.h"
-#include "polygon_distance.h"
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -289,11 +289,6 @@ TEST_CASE("larger ones have at most 1.5 times as many, in the mean") {
 
 namespace {
 
-double DistanceToRing(bmr_vec2 p, const std::vector<bmr_vec2> &ring) {
-    const distance::Point way = distance::ToRing({p.x, p.y}, ring);
-    return static_cast<double>(std::hypot(way.x, way.y));
-}
-
 std::vector<std::vector<bmr_vec2>> RingsOf(const Outline &outline) {
     std::vector<std::vector<bmr_vec2>> rings;
     size_t begin = 0;
@@ -306,27 +301,27 @@ std::vector<std::vector<bmr_vec2>> RingsOf(const Outline &outline) {
 }
 
 /// 0 inside and on the boundary.
-double DistanceToSolid(bmr_vec2 p, const std::vector<std::vector<bmr_vec2>> &rings) {
+long double DistanceToSolid(bmr_vec2 p, const std::vector<std::vector<bmr_vec2>> &rings) {
     bool inside = false;
-    double least = INFINITY;
+    long double least = INFINITY;
     for (const auto &ring : rings) {
-        least = std::min(least, DistanceToRing(p, ring));
+        least = std::min(least, exact::DistanceToRing(p, ring));
         for (size_t i = 0; i < ring.size(); ++i) {
             const bmr_vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
             if ((a.y <= p.y) != (b.y <= p.y) && exact::Orientation(a, b, p) * (a.y <= p.y ? 1 : -1) > 0)
                 inside = !inside;
         }
     }
-    return inside ? 0.0 : least;
+    return inside ? 0.0L : least;
 }
 
 /// The farthest that a point of some rings, sampled, is from others.
-double FarthestOf(const std::vector<bmr_vec2> &ring, const std::vector<bmr_vec2> &other) {
-    double most = 0.0;
+long double FarthestOf(const std::vector<bmr_vec2> &ring, const std::vector<bmr_vec2> &other) {
+    long double most = 0.0L;
     for (size_t i = 0; i < ring.size(); ++i)
         for (int k = 0; k < 4; ++k) {
             const bmr_vec2 along = bmr_sub(ring[(i + 1) % ring.size()], ring[i]);
-            most = std::max(most, DistanceToRing(bmr_add(ring[i], bmr_scale(0.25 * k, along)), other));
+            most = std::max(most, exact::DistanceToRing(bmr_add(ring[i], bmr_scale(0.25 * k, along)), other));
         }
     return most;
 }
@@ -373,7 +368,7 @@ void CheckWithin(test_random *random, const Outline &given, double tolerance) {
             given.points[test_random_below(random, static_cast<uint32_t>(given.points.size()))];
         const bmr_vec2 p = {near.x + test_random_uniform(random, -3.0, 3.0) * tolerance,
                             near.y + test_random_uniform(random, -3.0, 3.0) * tolerance};
-        const double to_given = DistanceToSolid(p, before), to_simple = DistanceToSolid(p, after);
+        const long double to_given = DistanceToSolid(p, before), to_simple = DistanceToSolid(p, after);
         CHECK((to_given > 0.0 || to_simple <= tolerance + kRounding));
         CHECK((to_simple > 0.0 || to_given <= tolerance + kRounding));
     }

@@ -3,7 +3,7 @@
 // missed.
 #include "boomerang/pair.h"
 #include "cases.h"
-#include "exact_polygons.h"
+#include "exact_distance.h"
 #include "motions.h"
 #include "polygons.h"
 
@@ -46,10 +46,10 @@ private:
 /// normal's length. Says whether that is at least `gap`.
 bool proves(const bmr_certificate &k, int owner, const Places &a, const Places &b, const bmr_pose &q,
             double gap) {
-    const Number nx(double{k.normal[0]}), ny(double{k.normal[1]});
-    const Number c(q.c), s(q.s);
+    const mpq_class nx(double{k.normal[0]}), ny(double{k.normal[1]});
+    const mpq_class c(q.c), s(q.s);
     const Place normal = owner == 0 ? Place{nx, ny} : Place{-(c * nx - s * ny), -(s * nx + c * ny)};
-    const Number along = LeastAlong(normal, a, b);
+    const mpq_class along = LeastAlong(normal, a, b);
     return along > 0 && along * along >= Square(gap) * Square(normal);
 }
 
@@ -61,15 +61,16 @@ TEST_CASE("no pair claims a gap that rational arithmetic denies, and none misses
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         for (std::size_t round = 0; round < rounds(300); ++round) {
             OraclePair t(static_cast<bmr_structure>(structure), round, &random);
-            const Places a = PlacesOf(t.shape[0].polygon);
+            const Posed here = PosedOf(t.shape[0].polygon);
+            const Places a = PlacesOf(here);
             bmr_pair stale;
             bmr_pair_init(&stale);
             for (int step = 0; step < 20; ++step) {
                 const bmr_pose q = test_motion_next(&t.motion, &random);
                 double gap;
                 const bmr_answer answer = test_pair_advance(&t, &q, &gap);
-                const Places b = PlacesAt(t.shape[1].polygon, q);
-                const Number truth = SquaredDistance(a, b);
+                const Posed there = PosedOf(t.shape[1].polygon, q);
+                const mpq_class truth = SquaredDistance(here, there);
                 // The control: to believe the last step's answer.
                 stale_lies += stale.state == BMR_PAIR_APART && truth <= Square(t.def.margin);
                 stale = t.pair;
@@ -87,6 +88,7 @@ TEST_CASE("no pair claims a gap that rational arithmetic denies, and none misses
                     continue;
                 }
                 const bmr_certificate &k = t.pair.certificate;
+                const Places b = PlacesOf(there);
                 REQUIRE(proves(k, t.pair.owner, a, b, q, gap));
                 // The control: the same line without its roundings claims more than there is.
                 bmr_certificate bare = k;
@@ -115,7 +117,7 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
     for (int structure = 0; structure < BMR_STRUCTURE_COUNT; ++structure)
         for (std::size_t round = 0; round < rounds(40); ++round) {
             OraclePair t(static_cast<bmr_structure>(structure), 1, &random);
-            const Places a = PlacesOf(t.shape[0].polygon);
+            const Posed here = PosedOf(t.shape[0].polygon);
             const double way = test_random_uniform(&random, 0.0, 6.28),
                          turn = test_random_uniform(&random, 0.0, 6.28);
             const double slop = t.def.margin * 1e-6 + BMR_PAIR_SLOP * t.extents();
@@ -127,7 +129,7 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
                 const bool apart = test_pair_advance(&t, &q, nullptr) == BMR_APART;
                 REQUIRE(t.counters.events[BMR_EVENT_START] ==
                         (apart ? 1 : 0)); // whichever of its proofs is taken
-                const Number truth = SquaredDistance(a, PlacesAt(t.shape[1].polygon, q));
+                const mpq_class truth = SquaredDistance(here, PosedOf(t.shape[1].polygon, q));
                 if (apart)
                     REQUIRE(truth > Square(t.def.margin));
                 else
@@ -136,22 +138,103 @@ TEST_CASE("at distances near the margin the answer changes where it should, to w
         }
 }
 
-TEST_CASE("the brute-force distance of the other tests is the exact one up to double rounding") {
+namespace {
+
+/// Do the normals of some edge separate the two, closed as they are? (For points and segments, only where
+/// they are not in line.)
+bool SomeEdgeSeparates(const Places &a, const Places &b) {
+    for (int turn = 0; turn < 2; ++turn) {
+        const Places &own = turn ? b : a;
+        for (size_t i = 0; i < own.size(); ++i) {
+            const Place e = Way(own[i], own[(i + 1) % own.size()]);
+            if (LeastAlong(turn ? Place{-e.y, e.x} : Place{e.y, -e.x}, a, b) > 0)
+                return true;
+        }
+    }
+    return false;
+}
+
+mpq_class Cross(const Place &a, const Place &b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+/// Of a point and a segment, which may be a point.
+mpq_class SquareToSegment(const Place &p, const Place &from, const Place &to) {
+    const Place e = Way(from, to), w = Way(from, p);
+    const mpq_class along = Product(e, w), length = Square(e), across = Cross(e, w);
+    if (along <= 0)
+        return Square(w);
+    return along >= length ? Square(Way(to, p)) : mpq_class(across * across / length);
+}
+
+/// The squared distance by all corners and all sides, without a filter; 0 where they touch or overlap.
+mpq_class SquareOfAll(const Places &a, const Places &b) {
+    const bool separated = SomeEdgeSeparates(a, b);
+    if ((a.size() > 2 || b.size() > 2) && !separated)
+        return 0;
+    mpq_class best(-1);
+    for (size_t i = 0; i < a.size(); ++i)
+        for (size_t j = 0; j < b.size(); ++j) {
+            const Place &a_next = a[(i + 1) % a.size()], &b_next = b[(j + 1) % b.size()];
+            for (const mpq_class &d :
+                 {SquareToSegment(a[i], b[j], b_next), SquareToSegment(b[j], a[i], a_next)})
+                if (best < 0 || d < best)
+                    best = d;
+            // Two segments that are not in line, and neither of whose lines separates them, cross.
+            if (!separated && Cross(Way(a[i], a_next), Way(b[j], b_next)) != 0)
+                return 0;
+        }
+    return best;
+}
+
+/// The square of the least depth over all normals of edges, of two that overlap.
+mpq_class SquaredDepth(const Places &a, const Places &b) {
+    mpq_class best(-1);
+    for (int turn = 0; turn < 2; ++turn) {
+        const Places &own = turn ? b : a;
+        for (size_t i = 0; i < own.size() && own.size() > 1; ++i) {
+            const Place e = Way(own[i], own[(i + 1) % own.size()]);
+            const mpq_class along = LeastAlong(turn ? Place{-e.y, e.x} : Place{e.y, -e.x}, a, b),
+                            square = along * along / Square(e);
+            if (best < 0 || square < best)
+                best = square;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+TEST_CASE("the oracle of distance says what all corners and all sides say") {
     test_random random = test_random_from(79);
-    std::size_t overlapping = 0, apart = 0;
+    std::size_t overlapping = 0, apart = 0, touching = 0;
     for (std::size_t round = 0; round < rounds(2000); ++round) {
         bmr_polygon *const a = test_any_polygon(12, &random), *const b = test_any_polygon(12, &random);
         test_motion motion = test_motion_make(TEST_MOTION_JUMP, a, b, &random);
-        const bmr_pose q = test_motion_next(&motion, &random);
-        const double distance = test_distance(a, b, &q);
-        const double exact = std::sqrt(SquaredDistance(PlacesOf(a), PlacesAt(b, q)).get_d());
-        const double tolerance = 1e-13 * (a->extent + b->extent + exact);
-        CHECK(std::abs(distance - exact) <= tolerance);
-        overlapping += exact == 0.0;
-        apart += exact > tolerance;
+        bmr_pose q = test_motion_next(&motion, &random);
+        if (round % 8 == 0) // sides that are parallel, corners that touch
+            q = {bmr_sub(a->vertices[0], b->vertices[b->count / 2]), 1.0, 0.0};
+        const Posed here = PosedOf(a), there = PosedOf(b, q);
+        const Places p = PlacesOf(here), r = PlacesOf(there);
+        const Gap gap = GapOf(here, there);
+        const mpq_class truth = SquareOfAll(p, r);
+        CHECK((gap.overlap || Square(gap.way) == truth));
+        CHECK((!gap.overlap || (truth == 0 && Square(gap.way) == SquaredDepth(p, r))));
+        const long double distance = std::sqrt(static_cast<long double>(truth.get_d()));
+        CHECK(std::fabs(test_distance(a, b, &q) - distance) <= 0x1p-51L * distance);
+        const double way = test_random_uniform(&random, -4.0, 4.0);
+        const bmr_vec2 d = {std::cos(way), std::sin(way)};
+        const double along = LeastAlong(PlaceOf(d), p, r).get_d() / std::hypot(d.x, d.y);
+        CHECK(std::fabs(SeparationAlong(d, here, there) - along) <= 0x1p-50 * std::fabs(along));
+        const double rounding = 1e-15 * (a->extent + b->extent + std::hypot(q.position.x, q.position.y));
+        CHECK(std::fabs(NearDistance(here, there) - distance) <= rounding);
+        overlapping += gap.overlap;
+        touching += !gap.overlap && truth == 0;
+        apart += truth > 0;
         bmr_polygon_destroy(a, nullptr);
         bmr_polygon_destroy(b, nullptr);
     }
     CHECK(overlapping > 5);
+    CHECK(touching > 5);
     CHECK(apart > 30);
 }

@@ -3,10 +3,10 @@
 // given.
 #include "boomerang/pair.h"
 #include "cases.h"
+#include "exact_distance.h"
 #include "hierarchies.h"
 #include "kds_driver.h"
 #include "motions.h"
-#include "polygon_distance.h"
 #include "polygons.h"
 
 namespace {
@@ -59,9 +59,7 @@ bmr_pair_def Def(int structure) {
 }
 
 double Distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose &pose) {
-    const bmr_pose here = {{0.0, 0.0}, 1.0, 0.0};
-    return static_cast<double>(
-        distance::SignedDistance(distance::Transformed(a, here), distance::Transformed(b, pose)));
+    return static_cast<double>(exact::SignedDistance(exact::PosedOf(a), exact::PosedOf(b, pose)));
 }
 
 /// What is to keep such a pair.

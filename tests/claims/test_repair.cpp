@@ -2,7 +2,7 @@
 // Rings that are drawn wrongly in each of the known ways become outlines, and many outlines become one.
 #include "boomerang/repair.h"
 #include "cases.h"
-#include "polygon_distance.h"
+#include "exact_distance.h"
 #include "polygons.h"
 
 namespace {
@@ -299,9 +299,8 @@ Outline Garbage(test_random *random, const World &world) {
 
 /// Where a point is among rings.
 struct Side {
-    int around = 0;         ///< how often rings go around it counter-clockwise
-    bool odd = false;       ///< does an odd number of them?
-    double nearest = 1e300; ///< how far from the nearest edge
+    int around = 0;   ///< how often rings go around it counter-clockwise
+    bool odd = false; ///< does an odd number of them?
 };
 
 Side SideOf(const Outline &outline, bmr_vec2 p) {
@@ -310,8 +309,6 @@ Side SideOf(const Outline &outline, bmr_vec2 p) {
     for (const uint32_t count : outline.counts) {
         for (uint32_t i = 0; i < count; ++i) {
             const bmr_vec2 a = outline.points[begin + i], b = outline.points[begin + (i + 1) % count];
-            const distance::Point way = distance::ToSegment({p.x, p.y}, {a.x, a.y}, {b.x, b.y});
-            side.nearest = std::min(side.nearest, static_cast<double>(std::hypot(way.x, way.y)));
             if ((a.y <= p.y) == (b.y <= p.y))
                 continue;
             const double turn = bmr_cross(bmr_sub(b, a), bmr_sub(p, a));
@@ -323,6 +320,19 @@ Side SideOf(const Outline &outline, bmr_vec2 p) {
         begin += count;
     }
     return side;
+}
+
+/// How far the point is from the nearest ring.
+long double FromRings(const std::vector<Outline> &outlines, bmr_vec2 p) {
+    long double nearest = INFINITY;
+    for (const Outline &outline : outlines) {
+        const bmr_vec2 *ring = outline.points.data();
+        for (const uint32_t count : outline.counts) {
+            nearest = std::min(nearest, exact::DistanceToRing(p, {ring, ring + count}));
+            ring += count;
+        }
+    }
+    return nearest;
 }
 
 /// In how many of the outlines the point is.
@@ -350,7 +360,7 @@ TEST_CASE("garbage becomes outlines, and nothing changes sides that is farther t
     const double snaps[] = {0.01, 0.1, 1.0, 3.0};
     test_random random = test_random_from(4);
     size_t outlines = 0, points = 0, inside = 0;
-    double farthest = 0.0; // from the rings, of a place that changed sides; in snaps
+    long double farthest = 0.0L; // from the rings, of a place that changed sides; in snaps
     for (size_t n = test_scaled(3000); n > 0; --n) {
         const World &world = worlds[Below(&random, std::size(worlds))];
         const double snap = snaps[Below(&random, std::size(snaps))];
@@ -371,23 +381,21 @@ TEST_CASE("garbage becomes outlines, and nothing changes sides that is farther t
             p = {p.x + test_random_uniform(&random, -reach, reach),
                  p.y + test_random_uniform(&random, -reach, reach)};
             bool solid = false;
-            double nearest = 1e300;
             for (const Outline &outline : drawn) {
                 const Side side = SideOf(outline, p);
                 solid = solid || (rule == FillRule::EvenOdd ? side.odd : side.around != 0);
-                nearest = std::min(nearest, side.nearest);
             }
             const int around = CountAround(made, p);
             REQUIRE(around <= 1);
             if ((around == 1) != solid)
-                farthest = std::max(farthest, nearest / snap);
+                farthest = std::max(farthest, FromRings(drawn, p) / snap);
             ++points;
             inside += around == 1 ? 1u : 0u;
         }
     }
     MESSAGE(outlines, " outlines; of ", points, " points ", inside, " inside; changed sides at most at ",
-            farthest, " snaps");
-    CHECK(farthest <= 1.0);
-    CHECK(farthest > 0.0); // the control: some do change
+            static_cast<double>(farthest), " snaps");
+    CHECK(farthest <= 1.0L);
+    CHECK(farthest > 0.0L); // the control: some do change
     CHECK(inside > points / 10);
 }

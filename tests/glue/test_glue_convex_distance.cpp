@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Distance, cast and time of impact of polygons of any size: up to 255 vertices against Box2D's own
-// algorithms fed with all of them, and of the largest polygons against all vertices in double. (Of others,
+// algorithms fed with all of them, and of the largest polygons against rational arithmetic. (Of others,
 // what is true: tests/random/fuzz_convex32.cpp.)
 #include <box2d/b2_time_of_impact.h>
 
@@ -53,7 +53,7 @@ b2Transform NearbyPose(Engine &engine, const Polygon &a, const Polygon &b) {
 
 } // namespace
 
-TEST_CASE("the distance of the largest polygons is that of all sides and vertices in double") {
+TEST_CASE("the distance of the largest polygons is the exact one") {
     Engine engine(6);
     double worst = 0.0;
     for (size_t i = 0; i < test_scaled(60); ++i) {

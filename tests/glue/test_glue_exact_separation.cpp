@@ -9,7 +9,7 @@
 #include "box2d_shapes.h"
 #include "cases.h"
 #include "debug/inspect.h"
-#include "exact_polygons.h"
+#include "exact_distance.h"
 #include "glue/proofs/hull_pair.h"
 #include "glue/proofs/thresholds.h"
 #include "in_child.h"
@@ -21,6 +21,7 @@ using namespace as_stock;
 using namespace exact;
 using shapes::Below;
 using shapes::Engine;
+using shapes::PosedOf;
 using shapes::Uniform;
 using shapes::UniformF;
 
@@ -29,25 +30,20 @@ size_t Rounds(size_t count) {
     return std::max<size_t>(test_scaled(count), 100);
 }
 
-Places At(const b2PolygonShape &shape, const b2Transform &xf) {
-    Places points;
-    for (int32 i = 0; i < shape.m_count; ++i)
-        points.push_back(exact::At(bmr_pose{{xf.p.x, xf.p.y}, xf.q.c, xf.q.s},
-                                   bmr_vec2{shape.m_vertices[i].x, shape.m_vertices[i].y}));
-    return points;
-}
-
 const b2PolygonShape &PolygonOf(const b2Fixture *fixture) {
     return *static_cast<const b2PolygonShape *>(fixture->GetShape());
 }
 
+Posed Placed(const b2Fixture &fixture) {
+    return PosedOf(PolygonOf(&fixture), fixture.GetBody()->GetTransform());
+}
+
 /// The squared distance of all polygons of two bodies.
-Number Truth(const b2Body *a, const b2Body *b) {
-    Number least(-1);
+mpq_class Truth(const b2Body *a, const b2Body *b) {
+    mpq_class least(-1);
     for (const b2Fixture *f = a->GetFixtureList(); f != nullptr; f = f->GetNext()) {
         for (const b2Fixture *g = b->GetFixtureList(); g != nullptr; g = g->GetNext()) {
-            const Number d = exact::SquaredDistance(At(PolygonOf(f), a->GetTransform()),
-                                                    At(PolygonOf(g), b->GetTransform()));
+            const mpq_class d = SquaredDistance(Placed(*f), Placed(*g));
             if (least < 0 || d < least)
                 least = d;
         }
@@ -56,12 +52,12 @@ Number Truth(const b2Body *a, const b2Body *b) {
 }
 
 /// Is a claimed lower bound one?
-bool IsTrue(double claimed, const Number &squaredDistance) {
+bool IsTrue(double claimed, const mpq_class &squaredDistance) {
     return claimed <= 0.0 || Square(claimed) <= squaredDistance;
 }
 
 /// The largest float that is no larger than the root.
-float LargestTrue(const Number &squaredDistance) {
+float LargestTrue(const mpq_class &squaredDistance) {
     auto f = static_cast<float>(std::sqrt(squaredDistance.get_d()));
     while (!IsTrue(double{f}, squaredDistance))
         f = std::nextafterf(f, 0.0f);
@@ -94,14 +90,12 @@ b2Vec2 Middle(const b2Body *body) {
     return body->GetWorldPoint(0.5f * (polygon.m_vertices[0] + polygon.m_vertices[polygon.m_count / 2]));
 }
 
-/// The same of double, to find a place by.
+/// The distance in long double, to find a place by.
 double Near(const b2Body *a, const b2Body *b) {
     double least = INFINITY;
     for (const b2Fixture *f = a->GetFixtureList(); f != nullptr; f = f->GetNext())
         for (const b2Fixture *g = b->GetFixtureList(); g != nullptr; g = g->GetNext())
-            least = std::min(
-                least,
-                shapes::Measure(PolygonOf(f), a->GetTransform(), PolygonOf(g), b->GetTransform()).distance);
+            least = std::min(least, static_cast<double>(NearDistance(Placed(*f), Placed(*g))));
     return least;
 }
 
@@ -164,7 +158,7 @@ template <size_t n> double OneOf(Engine &engine, const double (&values)[n]) {
 struct Tally {
     size_t claims = 0, lies = 0, caught = 0;
 
-    void Add(double claimed, const Number &truth) {
+    void Add(double claimed, const mpq_class &truth) {
         claims += claimed > 0.0;
         lies += !IsTrue(claimed, truth);
         // The control: what is one float above the truth is a lie.
@@ -183,19 +177,19 @@ TEST_CASE("the oracle tells a claim from one that is a unit in the last place hi
     there.SetIdentity();
     for (const float gap : {0.25f, 0x1p-20f}) {
         there.p.x = 1.0f + gap;
-        const Number truth = exact::SquaredDistance(At(box, here), At(box, there));
+        const mpq_class truth = SquaredDistance(PosedOf(box, here), PosedOf(box, there));
         CHECK(IsTrue(double{gap}, truth));
         CHECK_FALSE(IsTrue(std::nextafter(double{gap}, 1.0), truth));
         // The same shapes, turned by an angle of which nothing is exact, 10 km out.
         b2Transform farHere, farThere;
         farHere.Set(b2Vec2(10000.0f, -7000.0f), 1e6f);
         farThere = b2Mul(farHere, there);
-        const Number far = exact::SquaredDistance(At(box, farHere), At(box, farThere));
+        const mpq_class far = SquaredDistance(PosedOf(box, farHere), PosedOf(box, farThere));
         CHECK(IsTrue(double{LargestTrue(far)}, far));
         CHECK_FALSE(IsTrue(double{std::nextafterf(LargestTrue(far), 1.0f)}, far));
     }
     there.p.x = 1.0f;
-    CHECK(exact::SquaredDistance(At(box, here), At(box, there)) == 0);
+    CHECK(SquaredDistance(PosedOf(box, here), PosedOf(box, there)) == 0);
 }
 
 namespace {
@@ -244,8 +238,7 @@ void CheckPictures(Run &run) {
         t.Put(engine, far, OneOf(engine, kWanted));
         for (const b2Contact *c = t.world.GetContactList(); c != nullptr; c = c->GetNext()) {
             const b2Fixture &f = *c->GetFixtureA(), &g = *c->GetFixtureB();
-            const Number two = exact::SquaredDistance(At(PolygonOf(&f), f.GetBody()->GetTransform()),
-                                                      At(PolygonOf(&g), g.GetBody()->GetTransform()));
+            const mpq_class two = SquaredDistance(Placed(f), Placed(g));
             const Proof proof = Inspect(*c);
             slack.Add(double{proof.slack}, two);
             if (proof.slack > 0.0f && proof.normal != b2Vec2_zero && far <= 100.0) {
@@ -288,7 +281,7 @@ TEST_CASE(
         for (int step = 0; step < 6; ++step) {
             const double far = OneOf(engine, kFar);
             t.Put(engine, far, margin + OneOf(engine, {-1e-3, -1e-5, 0.0, 1e-5, 1e-3, 0.01, 1.0}));
-            const Number truth = Truth(t.a, t.b);
+            const mpq_class truth = Truth(t.a, t.b);
             const bool known = bmr::KnownApart(&pair, t.a->GetTransform(), t.b->GetTransform());
             apart += known;
             wrong += known && !IsTrue(proved, truth);

@@ -15,7 +15,7 @@ struct Pair {
     b2PolygonShape a, b;
     b2Transform xfA, xfB;
 
-    shapes::Truth Truth() const { return shapes::Measure(a, xfA, b, xfB); }
+    exact::Gap Gap() const { return exact::GapOf(shapes::PosedOf(a, xfA), shapes::PosedOf(b, xfB)); }
     double RadiusSum() const { return double{a.m_radius} + double{b.m_radius}; }
     int Points() const {
         b2Manifold manifold;
@@ -46,6 +46,10 @@ Pair RandomPair(shapes::Engine &engine, double x, double y, double extent) {
     return pair;
 }
 
+bool IsBeyond(const exact::Gap &gap, double distance) {
+    return !gap.overlap && exact::IsMoreThan(exact::Square(gap.way), distance);
+}
+
 b2Vec2 Middle(const b2PolygonShape &polygon) {
     b2Vec2 sum(0.0f, 0.0f);
     for (int32 i = 0; i < polygon.m_count; ++i)
@@ -61,9 +65,12 @@ bool PlaceOnLine(shapes::Engine &engine, Pair *pair, double wanted) {
     const shapes::Point a = shapes::Place(pair->xfA, Middle(pair->a)),
                         b = shapes::Place(pair->xfB, Middle(pair->b));
     const shapes::Point from = {double{pair->xfB.p.x} + a.x - b.x, double{pair->xfB.p.y} + a.y - b.y};
+    const exact::Posed still = shapes::PosedOf(pair->a, pair->xfA);
+    exact::Posed moved = shapes::PosedOf(pair->b, pair->xfB);
     const auto move = [&](double t) {
         pair->xfB.p.Set(static_cast<float>(from.x + t * ux), static_cast<float>(from.y + t * uy));
-        return pair->Truth().distance;
+        moved.pose.position = {pair->xfB.p.x, pair->xfB.p.y};
+        return static_cast<double>(exact::NearDistance(still, moved));
     };
     // The distance changes no faster than t does: a step by what is left never goes too far.
     double t = 300.0;
@@ -73,15 +80,17 @@ bool PlaceOnLine(shapes::Engine &engine, Pair *pair, double wanted) {
             break;
         t -= left;
     }
-    for (double outward = 1e-7; outward < 0.1 && pair->Truth().distance <= wanted; outward *= 2.0)
+    for (double outward = 1e-7; outward < 0.1 && !IsBeyond(exact::GapOf(still, moved), wanted); outward *= 2.0)
         move(t + outward);
-    return pair->Truth().distance > wanted;
+    return IsBeyond(exact::GapOf(still, moved), wanted);
 }
 
 /// Puts a corner of b at the wanted distance from a corner of a, until these are the closest points. Every
 /// other time in the direction of the diagonal of Box2D's clipping box there, where it gives points longest.
 bool PlaceCorners(shapes::Engine &engine, Pair *pair, double wanted) {
     const b2Transform start = pair->xfB;
+    const exact::Posed still = shapes::PosedOf(pair->a, pair->xfA);
+    exact::Posed moved = shapes::PosedOf(pair->b, start);
     for (int tries = 0; tries < 200; ++tries) {
         const int corner = shapes::Below(engine, pair->a.m_count);
         double angle = shapes::Uniform(engine, -3.2, 3.2);
@@ -97,8 +106,11 @@ bool PlaceCorners(shapes::Engine &engine, Pair *pair, double wanted) {
         const shapes::Point a = shapes::Place(pair->xfA, mine), b = shapes::Place(start, theirs);
         pair->xfB.p.Set(static_cast<float>(double{start.p.x} + a.x - b.x + d * std::cos(angle)),
                         static_cast<float>(double{start.p.y} + a.y - b.y + d * std::sin(angle)));
-        const shapes::Truth truth = pair->Truth();
-        if (truth.cornersOnly && truth.distance > wanted)
+        moved.pose.position = {pair->xfB.p.x, pair->xfB.p.y};
+        if (exact::NearDistance(still, moved) < 0.9 * wanted)
+            continue; // other corners are nearer
+        const exact::Gap gap = exact::GapOf(still, moved);
+        if (gap.corners && IsBeyond(gap, wanted))
             return true;
     }
     return false;
@@ -122,7 +134,7 @@ template <typename Margin> Tally Try(size_t count, double lowest, double highest
         if (i % 2 == 0 ? !PlaceOnLine(engine, &pair, wanted) : !PlaceCorners(engine, &pair, wanted))
             continue;
         ++tally.placed;
-        tally.cornersOnly += pair.Truth().cornersOnly;
+        tally.cornersOnly += pair.Gap().corners;
         tally.points += pair.Points() > 0;
     }
     return tally;
@@ -222,7 +234,8 @@ TEST_CASE("a side too short for a direction: Box2D gives points far away, and no
         a->CreateFixture(&needle, 0.0f);
         b->CreateFixture(&other, 0.0f);
         b->SetTransform({0.15f, 0.0f}, 0.0f);
-        REQUIRE(shapes::Measure(needle, a->GetTransform(), other, b->GetTransform()).distance > 0.14);
+        REQUIRE(exact::SignedDistance(shapes::PosedOf(needle, a->GetTransform()),
+                                      shapes::PosedOf(other, b->GetTransform())) > 0.14L);
         b2Manifold manifold;
         b2CollidePolygons(&manifold, &needle, a->GetTransform(), &other, b->GetTransform());
         CHECK((manifold.pointCount > 0) == (side < FLT_EPSILON));

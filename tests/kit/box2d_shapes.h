@@ -11,11 +11,11 @@
 #include <box2d/b2_draw.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "polygon_distance.h"
+#include "exact_distance.h"
 #include "random.h"
 
 /// @file
-/// Random fixtures for tests against Box2D itself, and their true distance in double precision.
+/// Random fixtures for tests against Box2D itself, and where they lie.
 
 namespace shapes {
 
@@ -90,43 +90,11 @@ inline Point Place(const b2Transform &xf, const b2Vec2 &v) {
     return {c * x - s * y + double{xf.p.x}, s * x + c * y + double{xf.p.y}};
 }
 
-/// What is true of two convex polygons at float poses, radii left out.
-struct Truth {
-    double distance;  ///< 0 where they overlap
-    bool cornersOnly; ///< the closest points are a corner of each
-};
-
-/// Of all sides against all corners; one of the two may be a point.
-inline Truth Measure(const std::vector<Point> &a, const std::vector<Point> &b) {
-    bool separated = false;
-    double least = INFINITY, corners = INFINITY;
-    for (const bool turned : {false, true}) {
-        const std::vector<Point> &mine = turned ? b : a, &theirs = turned ? a : b;
-        for (size_t i = 0; i < mine.size(); ++i) {
-            const Point from = mine[i], to = mine[i + 1 < mine.size() ? i + 1 : 0];
-            double side = INFINITY;
-            for (const Point &p : theirs) {
-                const distance::Point way = distance::ToSegment({p.x, p.y}, {from.x, from.y}, {to.x, to.y});
-                least = std::min(least, static_cast<double>(std::hypot(way.x, way.y)));
-                corners = std::min(corners, std::hypot(p.x - from.x, p.y - from.y));
-                side = std::min(side, (to.y - from.y) * (p.x - from.x) - (to.x - from.x) * (p.y - from.y));
-            }
-            separated = separated || side > 0.0;
-        }
-    }
-    return {separated ? least : 0.0, separated && corners <= least};
-}
-
-inline std::vector<Point> PlacedCorners(const b2PolygonShape &shape, const b2Transform &xf) {
-    std::vector<Point> points;
-    for (int i = 0; i < shape.m_count; ++i)
-        points.push_back(Place(xf, shape.m_vertices[i]));
-    return points;
-}
-
-inline Truth Measure(const b2PolygonShape &a, const b2Transform &xfA, const b2PolygonShape &b,
-                     const b2Transform &xfB) {
-    return Measure(PlacedCorners(a, xfA), PlacedCorners(b, xfB));
+inline exact::Posed PosedOf(const b2PolygonShape &shape, const b2Transform &xf) {
+    std::vector<bmr_vec2> points;
+    for (int32 i = 0; i < shape.m_count; ++i)
+        points.push_back({shape.m_vertices[i].x, shape.m_vertices[i].y});
+    return exact::PosedOf(points, {{xf.p.x, xf.p.y}, xf.q.c, xf.q.s});
 }
 
 } // namespace shapes

@@ -14,13 +14,12 @@
 #include "convex32/convex32_distance.h"
 
 /// @file
-/// Convex polygons of any size for tests, and what is true of them by looking at all vertices, in double.
+/// Convex polygons of any size for tests, in all the forms that are asked about.
 
 namespace oracle {
 
 using shapes::Below;
 using shapes::Engine;
-using shapes::Point;
 using shapes::Uniform;
 
 /// A polygon in all the forms that the tests ask about. `vertices` is what all of them have.
@@ -79,33 +78,27 @@ inline Polygon RandomPolygon(Engine &engine, int count, float radius) {
     return Polygon(points, radius);
 }
 
-/// A shape's vertices at a pose, in double.
-struct Placed {
-    std::vector<Point> points;
-
-    Placed(const Polygon &polygon, double x, double y, double s, double c) {
-        points.reserve(polygon.vertices.size());
-        for (const b2Vec2 &v : polygon.vertices) {
-            const double vx = v.x, vy = v.y;
-            points.push_back({x + c * vx - s * vy, y + s * vx + c * vy});
-        }
-    }
-    Placed(const Polygon &polygon, const b2Transform &xf)
-        : Placed(polygon, double{xf.p.x}, double{xf.p.y}, double{xf.q.s}, double{xf.q.c}) {}
-};
-
-/// Of two convex shapes, at least one of them with an inside: all sides against all vertices; 0 where they
-/// overlap.
-inline double Distance(const Placed &a, const Placed &b) {
-    return shapes::Measure(a.points, b.points).distance;
+inline exact::Posed Placed(const Polygon &polygon, const bmr_pose &pose) {
+    std::vector<bmr_vec2> points;
+    for (const b2Vec2 &v : polygon.vertices)
+        points.push_back({v.x, v.y});
+    return {points, pose};
+}
+inline exact::Posed Placed(const Polygon &polygon, const b2Transform &xf) {
+    return Placed(polygon, bmr_pose{{xf.p.x, xf.p.y}, xf.q.c, xf.q.s});
 }
 
-inline Placed At(const Polygon &polygon, const b2Sweep &sweep, double t) {
+/// 0 where they overlap.
+inline double Distance(const exact::Posed &a, const exact::Posed &b) {
+    return static_cast<double>(std::max(0.0L, exact::SignedDistance(a, b)));
+}
+
+inline exact::Posed At(const Polygon &polygon, const b2Sweep &sweep, double t) {
     const double angle = (1.0 - t) * double{sweep.a0} + t * double{sweep.a};
     const double s = std::sin(angle), c = std::cos(angle), lx = sweep.localCenter.x, ly = sweep.localCenter.y;
     const double x = (1.0 - t) * double{sweep.c0.x} + t * double{sweep.c.x};
     const double y = (1.0 - t) * double{sweep.c0.y} + t * double{sweep.c.y};
-    return Placed(polygon, x - (c * lx - s * ly), y - (s * lx + c * ly), s, c);
+    return Placed(polygon, bmr_pose{{x - (c * lx - s * ly), y - (s * lx + c * ly)}, c, s});
 }
 
 inline bmr_sweep32 Sweep32(const b2Sweep &sweep) {

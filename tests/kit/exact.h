@@ -2,6 +2,7 @@
 #ifndef BMR_TEST_EXACT_H
 #define BMR_TEST_EXACT_H
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -44,6 +45,28 @@ inline bool IsConvex(const std::vector<bmr_vec2> &v) {
         rises += !up(a, b) && up(b, c) ? 1 : 0;
     }
     return rises == 1;
+}
+
+/// The corners of the convex hull, in order.
+inline std::vector<bmr_vec2> HullOf(std::vector<bmr_vec2> points) {
+    const auto same = [](bmr_vec2 p, bmr_vec2 q) { return p.x == q.x && p.y == q.y; };
+    std::sort(points.begin(), points.end(),
+              [](bmr_vec2 p, bmr_vec2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
+    points.erase(std::unique(points.begin(), points.end(), same), points.end());
+    if (points.size() < 3)
+        return points;
+    std::vector<bmr_vec2> hull;
+    for (int side = 0; side < 2; ++side) { // below, then above
+        const size_t begin = hull.size();
+        for (const bmr_vec2 p : points) {
+            while (hull.size() >= begin + 2 && Orientation(hull[hull.size() - 2], hull.back(), p) <= 0)
+                hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();
+        std::reverse(points.begin(), points.end());
+    }
+    return hull;
 }
 
 /// Is the point in or on the convex polygon?

@@ -16,9 +16,8 @@ extern "C" {
 /// @file
 /// Motions of two polygons for tests, and how far apart they really are.
 
-/// The distance of the two polygons, 0 when they overlap: from the origin to their Minkowski difference,
-/// which is merged from the two sorted edge lists. O(n + m), double rounding; shares no code and no method
-/// with core.
+/// The distance of the two polygons, 0 where they overlap, in rational arithmetic and rounded once
+/// (exact_distance.h). O(n + m).
 double test_distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a);
 
 /// Where B must be, turned by `angle`, to have A's and B's supports in `direction` (radians) `gap` apart: the

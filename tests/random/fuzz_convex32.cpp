@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pairs of the plugin's polygons in float: manifolds and separations have the bits of plain loops over all
-// vertices (convex32_reference.h), distances, casts and times of impact are true by looking at all sides in
-// long double.
+// vertices (convex32_reference.h), distances, casts and times of impact are true in rational
+// arithmetic.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -10,19 +10,23 @@
 #include "convex32/convex32_distance.h"
 #include "convex32_poses.h"
 #include "convex32_reference.h"
+#include "exact.h"
+#include "exact_distance.h"
 #include "harness.h"
 #include "points.h"
-#include "polygon_distance.h"
 
 namespace {
 
 constexpr float kSlop = 0.005f;
 constexpr size_t kMost = 40;
 
+using exact::Posed;
+
 /// A polygon, or one or two points, with a skin.
 struct Shape {
     bmr_convex32_block *block = nullptr;
     std::vector<bmr_vec32> vertices;
+    std::vector<bmr_vec2> hull; ///< of the vertices: some are convex but for rounding
     float radius = 0.0f;
 
     Shape() = default;
@@ -109,34 +113,24 @@ bmr_convex32_memory ReadMemory(fuzz_bytes *bytes) {
     return memory;
 }
 
-distance::Points Placed(const std::vector<bmr_vec32> &vertices, long double x, long double y, long double s,
-                        long double c) {
-    distance::Points points;
+std::vector<bmr_vec2> Widened(const std::vector<bmr_vec32> &vertices) {
+    std::vector<bmr_vec2> points;
     for (const bmr_vec32 v : vertices)
-        points.push_back({x + c * v.x - s * v.y, y + s * v.x + c * v.y});
+        points.push_back({v.x, v.y});
     return points;
 }
 
-distance::Points Placed(const std::vector<bmr_vec32> &vertices, const bmr_transform32 &pose) {
-    return Placed(vertices, pose.p.x, pose.p.y, pose.s, pose.c);
+Posed Placed(const Shape &shape, const bmr_pose &pose) {
+    return {shape.hull, pose};
+}
+
+Posed Placed(const Shape &shape, const bmr_transform32 &pose) {
+    return Placed(shape, bmr_pose{{pose.p.x, pose.p.y}, pose.c, pose.s});
 }
 
 /// 0 where they overlap.
-double Distance(const distance::Points &a, const distance::Points &b) {
-    return static_cast<double>(std::max(0.0L, distance::SignedDistance(a, b)));
-}
-
-/// Is that at least so much? Of many vertices a direction along which it is so is found sooner.
-bool AtLeast(const distance::Points &a, const distance::Points &b, double least) {
-    constexpr int kDirections = 32;
-    if (a.size() * b.size() > kDirections * (a.size() + b.size()) / 2) {
-        for (int i = 0; i < kDirections; ++i) {
-            const long double angle = 6.283185307179586477L * i / kDirections;
-            if (distance::SeparationAlong(a, b, std::cos(angle), std::sin(angle)) >= least)
-                return true;
-        }
-    }
-    return Distance(a, b) >= least;
+double Distance(const Posed &a, const Posed &b) {
+    return static_cast<double>(std::max(0.0L, exact::SignedDistance(a, b)));
 }
 
 struct Pair {
@@ -223,7 +217,7 @@ void CheckSeparation(const Pair &p, fuzz_bytes *bytes) {
 void CheckApart(const Pair &p, fuzz_bytes *bytes) {
     bmr_convex32_memory memory = ReadMemory(bytes);
     const float reach = static_cast<float>(fuzz_u8(bytes) % 2 == 0 ? 0.0 : p.size * fuzz_in(bytes, 0.0, 1.0));
-    const double truth = Distance(Placed(p.a.vertices, p.poseA), Placed(p.b.vertices, p.poseB));
+    const double truth = Distance(Placed(p.a, p.poseA), Placed(p.b, p.poseB));
     bool apart = false;
     for (int i = 0; i < 3; ++i)
         apart = bmr_convex32_apart(p.a.Polygon(), &p.poseA, p.b.Polygon(), &p.poseB, reach, &memory) || apart;
@@ -236,7 +230,7 @@ void CheckDistance(const Pair &p, fuzz_bytes *bytes) {
     bmr_closest32 closest = {0, 0};
     if (fuzz_u8(bytes) % 2 != 0)
         closest = {fuzz_u16(bytes), fuzz_u16(bytes)};
-    const double truth = Distance(Placed(p.a.vertices, p.poseA), Placed(p.b.vertices, p.poseB));
+    const double truth = Distance(Placed(p.a, p.poseA), Placed(p.b, p.poseB));
     const bmr_distance32 found = bmr_convex32_distance(&a, &p.poseA, &b, &p.poseB, &closest);
     const double scale = std::max(truth, std::max(p.a.Reach(), p.b.Reach()));
     const double said = double{found.distance} + (fuzz_control("distance") ? 1e-3 * scale : 0.0);
@@ -255,13 +249,13 @@ void CheckDistance(const Pair &p, fuzz_bytes *bytes) {
 struct Way {
     const Pair &p;
     bmr_vec32 translation;
-    distance::Points still;
+    Posed still;
     double skinA, sigma;
     double tolerance; ///< this much more than sigma counts as reached
     double slack;     ///< of float answers
 
     Way(const Pair &pair, bmr_vec32 way, double length)
-        : p(pair), translation(way), still(Placed(pair.a.vertices, pair.poseA)) {
+        : p(pair), translation(way), still(Placed(pair.a, pair.poseA)) {
         const double slop = double{kSlop};
         const double skinB = std::max(double{p.b.radius}, 2.0 * slop);
         skinA = std::max(double{p.a.radius}, 2.0 * slop);
@@ -269,10 +263,11 @@ struct Way {
         tolerance = 0.5 * slop;
         slack = 1e-5 * (10.0 + length + p.size);
     }
-    distance::Points Moved(double lambda) const {
-        const bmr_transform32 &pose = p.poseB;
-        return Placed(p.b.vertices, pose.p.x + lambda * translation.x, pose.p.y + lambda * translation.y,
-                      pose.s, pose.c);
+    Posed Moved(double lambda) const {
+        Posed moved = Placed(p.b, p.poseB);
+        moved.pose.position.x += lambda * translation.x;
+        moved.pose.position.y += lambda * translation.y;
+        return moved;
     }
     double At(double lambda) const { return Distance(still, Moved(lambda)); }
     bool FirstTwoWithin(double most) const;
@@ -284,17 +279,21 @@ bool Way::FirstTwoWithin(double most) const {
     // A direction, two products and a sum are rounded, of the farthest and of the one chosen.
     const long double rounding =
         0x1p-21L * std::hypot(translation.x, translation.y) * (p.a.Reach() + p.b.Reach()) + 1e-40L;
-    const auto along = [&](const distance::Point &v) { return v.x * translation.x + v.y * translation.y; };
-    const distance::Points begin = Moved(0.0);
+    const std::vector<bmr_vec2> a = Widened(p.a.vertices), b = Widened(p.b.vertices);
+    const bmr_pose poseB = Moved(0.0).pose;
+    const auto along = [&](const bmr_pose &pose, bmr_vec2 v) {
+        const bmr_vec2 at = bmr_transform(&pose, v);
+        return at.x * translation.x + at.y * translation.y;
+    };
     long double leastA = INFINITY, mostB = -INFINITY;
-    for (const distance::Point &v : still)
-        leastA = std::min(leastA, along(v));
-    for (const distance::Point &w : begin)
-        mostB = std::max(mostB, along(w));
-    for (const distance::Point &v : still)
-        for (const distance::Point &w : begin)
-            if (along(v) <= leastA + rounding && along(w) >= mostB - rounding &&
-                std::hypot(w.x - v.x, w.y - v.y) <= most)
+    for (const bmr_vec2 &v : a)
+        leastA = std::min<long double>(leastA, along(still.pose, v));
+    for (const bmr_vec2 &w : b)
+        mostB = std::max<long double>(mostB, along(poseB, w));
+    for (const bmr_vec2 &v : a)
+        for (const bmr_vec2 &w : b)
+            if (along(still.pose, v) <= leastA + rounding && along(poseB, w) >= mostB - rounding &&
+                Distance({{v}, still.pose}, {{w}, poseB}) <= most)
                 return true;
     return false;
 }
@@ -304,11 +303,11 @@ void CheckHit(const Way &way, const bmr_cast32 &cast, double lambda) {
     FUZZ_CHECK(there <= way.sigma + way.tolerance + way.slack, "a hit at %g, %g apart", lambda, there);
     const double nx = double{fuzz_control("cast-normal") ? -cast.normal.x : cast.normal.x};
     const double ny = double{cast.normal.y};
-    const double along = static_cast<double>(distance::SeparationAlong(way.still, way.Moved(lambda), nx, ny));
+    const double along = static_cast<double>(exact::SeparationAlong({nx, ny}, way.still, way.Moved(lambda)));
     FUZZ_CHECK(std::fabs(std::hypot(nx, ny) - 1.0) <= 1e-6 && std::fabs(along - there) <= way.slack,
                "a normal of length %g along which they are %g apart, really %g", std::hypot(nx, ny), along,
                there);
-    const double skin = Distance(way.still, {{cast.point.x, cast.point.y}});
+    const double skin = Distance(way.still, exact::PosedOf(bmr_vec2{cast.point.x, cast.point.y}));
     FUZZ_CHECK(std::fabs(skin - way.skinA) <= way.slack, "a point %g from a, its skin is %g", skin,
                way.skinA);
 }
@@ -321,8 +320,8 @@ bool CheckMiss(const Way &way, const bmr_cast32 &cast) {
     const double reached = way.sigma + way.tolerance, rounding = 0x1p-40 * way.p.size; // both are double's
     if (way.At(0.0) <= rounding || way.FirstTwoWithin(reached + rounding))
         return false;
-    FUZZ_CHECK(AtLeast(way.still, way.Moved(0.0), reached - way.slack),
-               "a miss, but %g apart at the beginning, sigma %g", way.At(0.0), way.sigma);
+    FUZZ_CHECK(way.At(0.0) >= reached - way.slack, "a miss, but %g apart at the beginning, sigma %g",
+               way.At(0.0), way.sigma);
     return true;
 }
 
@@ -344,7 +343,7 @@ void CheckCast(const Pair &p, fuzz_bytes *bytes) {
     else if (!CheckMiss(way, cast))
         return;
     for (int i = 0; i <= 20 && lambda > 0.0; ++i)
-        FUZZ_CHECK(AtLeast(way.still, way.Moved(lambda * i / 20), way.sigma - way.slack),
+        FUZZ_CHECK(way.At(lambda * i / 20) >= way.sigma - way.slack,
                    "a %s at %g, but %g apart at %g, sigma %g", hit ? "hit" : "miss", lambda,
                    way.At(lambda * i / 20), lambda * i / 20, way.sigma);
 }
@@ -361,11 +360,13 @@ bmr_sweep32 ReadSweep(fuzz_bytes *bytes, double range, bool turns) {
     return sweep;
 }
 
-distance::Points At(const Shape &shape, const bmr_sweep32 &sweep, long double t) {
-    const long double angle = (1.0L - t) * sweep.a0 + t * sweep.a, s = std::sin(angle), c = std::cos(angle);
-    const long double lx = sweep.local_center.x, ly = sweep.local_center.y;
-    return Placed(shape.vertices, (1.0L - t) * sweep.c0.x + t * sweep.c.x - (c * lx - s * ly),
-                  (1.0L - t) * sweep.c0.y + t * sweep.c.y - (s * lx + c * ly), s, c);
+Posed At(const Shape &shape, const bmr_sweep32 &sweep, double t) {
+    const double angle = (1.0 - t) * sweep.a0 + t * sweep.a, s = std::sin(angle), c = std::cos(angle);
+    const double lx = sweep.local_center.x, ly = sweep.local_center.y;
+    return Placed(shape, bmr_pose{{(1.0 - t) * sweep.c0.x + t * sweep.c.x - (c * lx - s * ly),
+                                   (1.0 - t) * sweep.c0.y + t * sweep.c.y - (s * lx + c * ly)},
+                                  c,
+                                  s});
 }
 
 void CheckImpact(const Pair &p, fuzz_bytes *bytes) {
@@ -401,10 +402,8 @@ void CheckImpact(const Pair &p, fuzz_bytes *bytes) {
         FUZZ_CHECK(there <= target + 0.25 * double{kSlop} + slack && (t == 0.0 || there >= target - slack),
                    "touching at %g, %g apart, target %g", t, there, target);
     for (int i = 0; i <= kSamples && t > 0.0; ++i)
-        FUZZ_CHECK(
-            AtLeast(At(p.a, sweepA, t * i / kSamples), At(p.b, sweepB, t * i / kSamples), target - slack),
-            "state %d at %g, but %g apart at %g, target %g", state, t, gap(t * i / kSamples),
-            t * i / kSamples, target);
+        FUZZ_CHECK(gap(t * i / kSamples) >= target - slack, "state %d at %g, but %g apart at %g, target %g",
+                   state, t, gap(t * i / kSamples), t * i / kSamples, target);
 }
 
 void Ask(const Pair &p, fuzz_bytes *bytes) {
@@ -438,6 +437,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     ReadShape(&bytes, &p.b);
     if (p.a.block == nullptr || p.b.vertices.empty())
         return 0;
+    for (Shape *shape : {&p.a, &p.b})
+        shape->hull = exact::HullOf(Widened(shape->vertices));
     for (uint32_t questions = 1 + fuzz_below(&bytes, 6); questions > 0; --questions) {
         const uint8_t how = fuzz_u8(&bytes);
         const double range = p.a.Reach() + p.b.Reach();

@@ -7,13 +7,13 @@
 
 #include "boomerang/inflated.h"
 #include "bytes.h"
+#include "exact_distance.h"
 #include "harness.h"
 #include "hierarchies.h"
 #include "hierarchy/mixed.h"
 #include "hierarchy/tree.h"
 #include "motions.h" // test_distance
 #include "points.h"
-#include "polygon_distance.h"
 
 namespace {
 
@@ -81,9 +81,8 @@ void CheckLines(const bmr_hierarchy *h) {
 
 /// From the nearest point of the polygon's border.
 bmr_vec2 FromBorder(const bmr_polygon *p, bmr_vec2 x) {
-    const distance::Points points = distance::Transformed(p, bmr_pose_identity());
-    const distance::Point way = distance::ToRing({x.x, x.y}, points);
-    return {static_cast<double>(-way.x), static_cast<double>(-way.y)};
+    const exact::Place way = exact::GapOf(exact::PosedOf(p), exact::PosedOf(x)).way;
+    return {way.x.get_d(), way.y.get_d()};
 }
 
 void CheckHeight(const bmr_hierarchy *h, bmr_edge id) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is asked once, in double: distance and closest points, penetration, a check of many pairs, and the
 // time of contact, of fuzzed polygons at poses of any numbers and along fuzzed motions. Answers are those of
-// a test over all edges and vertices in long double, and arguments are refused exactly where the headers say
-// so.
+// rational arithmetic, and arguments are refused exactly where the headers say so.
 #include <cmath>
 #include <memory>
 
@@ -75,9 +74,7 @@ void AskDistance(const bmr_polygon *a, const bmr_polygon *b, fuzz_bytes *bytes) 
     }
     const query::Scene scene = query::SceneOf(a, pose_a, b, pose_b);
     const bool points = a->count == 1 && b->count == 1;
-    const long double truth = points ? std::hypot(scene.points_a[0].x - scene.points_b[0].x,
-                                                  scene.points_a[0].y - scene.points_b[0].y)
-                                     : distance::SignedDistance(scene.points_a, scene.points_b);
+    const long double truth = exact::SignedDistance(scene.at_a, scene.at_b);
     if (fuzz_control("distance"))
         closest.distance = closest.distance * (1.0 + 1e-9) + 3.0 * scene.tolerance;
     FUZZ_CHECK(std::fabs(closest.distance - std::fmax(0.0L, truth)) <= scene.tolerance,
@@ -131,9 +128,8 @@ void AskManyPairs(const bmr_polygon *a, const bmr_polygon *b, fuzz_bytes *bytes)
         const double off = std::fabs(relative.c * relative.c + relative.s * relative.s - 1.0);
         if (!holds || off > 1e-14)
             continue;
-        const long double gap =
-            distance::SignedDistance(distance::Transformed(shapes[i % 2].polygon, bmr_pose_identity()),
-                                     distance::Transformed(shapes[1 - i % 2].polygon, relative));
+        const long double gap = exact::SignedDistance(exact::PosedOf(shapes[i % 2].polygon),
+                                                      exact::PosedOf(shapes[1 - i % 2].polygon, relative));
         const long double places = std::hypot(static_cast<long double>(relative.position.x),
                                               static_cast<long double>(relative.position.y));
         FUZZ_CHECK(gap > need - 1e-14L * (extent + places), "pair %u holds at %.17Lg, margin %.17g", i, gap,
@@ -161,9 +157,9 @@ void AskTimeOfContact(const bmr_polygon *a, const bmr_polygon *b, fuzz_bytes *by
     if (fuzz_control("early-contact"))
         time = from;
     const auto gap = [&](double at) {
-        return distance::SignedDistance(
-            distance::Transformed(a, bmr_motion_pose(motion_a.get(), at, nullptr, nullptr)),
-            distance::Transformed(b, bmr_motion_pose(motion_b.get(), at, nullptr, nullptr)));
+        return exact::SignedDistance(
+            exact::PosedOf(a, bmr_motion_pose(motion_a.get(), at, nullptr, nullptr)),
+            exact::PosedOf(b, bmr_motion_pose(motion_b.get(), at, nullptr, nullptr)));
     };
     const bool meets = time <= until;
     FUZZ_CHECK(meets ? time >= from : time == INFINITY, "contact at %.17g, from %.17g to %.17g", time, from,

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "boomerang/simulation.h"
+#include "exact_distance.h"
 #include "harness.h"
 #include "kds_driver.h"
 #include "motions.h"
 #include "paths.h"
 #include "points.h"
-#include "polygon_distance.h"
 
 namespace {
 
@@ -55,8 +55,8 @@ bmr_pose PoseAt(const World &world, double time) {
 }
 
 long double GapAt(const World &world, const bmr_pose &b_in_a) {
-    return distance::SignedDistance(distance::Transformed(world.bodies[0].polygon, bmr_pose_identity()),
-                                    distance::Transformed(world.bodies[1].polygon, b_in_a));
+    return exact::SignedDistance(exact::PosedOf(world.bodies[0].polygon),
+                                 exact::PosedOf(world.bodies[1].polygon, b_in_a));
 }
 
 void Check(const World &world, const bmr_kds *kds, double time, const bmr_pose &relative) {

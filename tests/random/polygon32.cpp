@@ -9,9 +9,9 @@
 #include "convex32/convex32.h"
 #include "convex32_reference.h"
 #include "exact.h"
+#include "exact_distance.h"
 #include "harness.h"
 #include "points.h"
-#include "polygon_distance.h"
 
 namespace {
 
@@ -280,11 +280,14 @@ void CheckBox(const bmr_convex32 *p, fuzz_bytes *bytes) {
 /// How far one is from the loop of the first `count` points at most.
 double FarthestVertex(const bmr_convex32 *p, const Points &loop, size_t count) {
     long double far = 0.0L;
-    distance::Points wide;
+    std::vector<bmr_vec2> points;
     for (size_t i = 0; i < count; ++i)
-        wide.push_back({loop[i].x, loop[i].y});
-    for (uint32_t i = 0; i < p->count; ++i)
-        far = std::max(far, distance::SignedDistance({{p->vertices[i].x, p->vertices[i].y}}, wide));
+        points.push_back({loop[i].x, loop[i].y});
+    const exact::Posed wide = exact::PosedOf(points, bmr_pose_identity());
+    for (uint32_t i = 0; i < p->count; ++i) {
+        const bmr_vec2 vertex = {p->vertices[i].x, p->vertices[i].y};
+        far = std::max(far, exact::SignedDistance(exact::PosedOf(vertex), wide));
+    }
     return static_cast<double>(far);
 }
 
