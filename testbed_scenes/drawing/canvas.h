@@ -43,7 +43,7 @@ constexpr Colour kSky = {0.337, 0.706, 0.914};
 Colour Series(size_t index);
 } // namespace ink
 
-/// How an outline and its inside are drawn. Widths are in units of the page.
+/// How a boundary and its inside are drawn. Widths are in units of the page.
 struct Pen {
     Colour colour = ink::kBlack;
     double width = 1.0;

@@ -73,7 +73,7 @@ private:
 
 } // namespace
 
-AS_STOCK("a pair that stays apart is not looked at") {
+AS_STOCK("a pair that stays apart is not updated") {
     Needles(run).ExpectQuiet(60, 50);
     Needles(run, 0.2f).ExpectQuiet(60, 5);
 }
@@ -108,7 +108,7 @@ AS_STOCK("updates are resumed after each kind of change, at the pairs that it co
     world.ExpectQuiet(10, 50);
 }
 
-AS_STOCK("bodies that wake are looked at, those that fall asleep no more") {
+AS_STOCK("pairs of bodies that wake are updated, those of bodies that fall asleep no more") {
     Needles world(run);
     for (b2Body *needle : world.needles)
         needle->SetSleepingAllowed(true);
@@ -127,7 +127,7 @@ AS_STOCK("bodies that wake are looked at, those that fall asleep no more") {
 
 AS_STOCK("sleepers that were moved meet in the very step in which one of them is woken by a hit") {
     for (const int hits : {1, 4, 16}) {
-        Game game(run); // a listener would have all pairs looked at again
+        Game game(run); // a listener would have all pairs updated again
         std::vector<b2Body *> sleepers, moved, shots;
         for (int i = 0; i < 16; ++i) {
             const b2Vec2 place(6.0f * Real(i), 0.0f);

@@ -80,7 +80,8 @@ bool PlaceOnLine(shapes::Engine &engine, Pair *pair, double wanted) {
             break;
         t -= left;
     }
-    for (double outward = 1e-7; outward < 0.1 && !IsBeyond(exact::GapOf(still, moved), wanted); outward *= 2.0)
+    for (double outward = 1e-7; outward < 0.1 && !IsBeyond(exact::GapOf(still, moved), wanted);
+         outward *= 2.0)
         move(t + outward);
     return IsBeyond(exact::GapOf(still, moved), wanted);
 }

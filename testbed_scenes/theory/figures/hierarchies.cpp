@@ -58,7 +58,7 @@ void DrawBoomerangs(Canvas &canvas) {
         if (const uint32_t level = bmr_hierarchy_level(hierarchy, edge); level >= 1 && level <= kLevels)
             canvas.Dot(bmr_hierarchy_apex(hierarchy, edge), 2.4, ink::Series(level - 1));
 
-    // One boomerang of the top level in full: its outline, its apex, its height.
+    // One boomerang of the top level in full: its chain of edges, its apex, its height.
     bmr_edge shown = BMR_NO_EDGE;
     for (bmr_edge edge = 0; edge < bmr_hierarchy_edge_count(hierarchy); ++edge)
         if (bmr_hierarchy_level(hierarchy, edge) == 1 &&
@@ -67,19 +67,19 @@ void DrawBoomerangs(Canvas &canvas) {
             shown = edge;
     const bmr_boomerang boomerang = bmr_hierarchy_boomerang(hierarchy, shown);
     const bmr_vec2 apex = bmr_hierarchy_apex(hierarchy, shown);
-    std::vector<bmr_vec2> outline = Chain(body, hierarchy, boomerang.outer_before, boomerang.outer_after);
+    std::vector<bmr_vec2> chain = Chain(body, hierarchy, boomerang.outer_before, boomerang.outer_after);
     // The chain's nearest point to the apex is where the height is measured.
-    bmr_vec2 foot = outline[0];
-    for (size_t i = 0; i + 1 < outline.size(); ++i) {
-        const bmr_vec2 along = bmr_sub(outline[i + 1], outline[i]);
+    bmr_vec2 foot = chain[0];
+    for (size_t i = 0; i + 1 < chain.size(); ++i) {
+        const bmr_vec2 along = bmr_sub(chain[i + 1], chain[i]);
         const double t =
-            std::clamp(bmr_dot(bmr_sub(apex, outline[i]), along) / bmr_dot(along, along), 0.0, 1.0);
-        const bmr_vec2 point = bmr_add(outline[i], bmr_scale(t, along));
+            std::clamp(bmr_dot(bmr_sub(apex, chain[i]), along) / bmr_dot(along, along), 0.0, 1.0);
+        const bmr_vec2 point = bmr_add(chain[i], bmr_scale(t, along));
         if (std::hypot(point.x - apex.x, point.y - apex.y) < std::hypot(foot.x - apex.x, foot.y - apex.y))
             foot = point;
     }
-    outline.push_back(apex);
-    canvas.Polygon(outline, {}, {ink::kBlack, 2.0, 1.0, {6.0, 4.0}});
+    chain.push_back(apex);
+    canvas.Polygon(chain, {}, {ink::kBlack, 2.0, 1.0, {6.0, 4.0}});
     canvas.Segment(apex, foot, {ink::kBlack, 1.2, 1.0, {2.0, 3.0}});
     const double outwards = apex.x > 0.0 ? 1.0 : -1.0, upwards = apex.y > 0.0 ? 1.0 : -1.0;
     canvas.ClearPanel();
