@@ -25,7 +25,6 @@ inline bool IsBulletOrStatic(const b2Body *body) {
 /// hundred.
 class ToiCandidates {
 public:
-    /// `contacts` is where they are written down.
     ToiCandidates(const b2World *world, Column<b2Contact *> *contacts)
         : m_world(world), m_contacts(contacts) {}
 
@@ -48,7 +47,7 @@ public:
 
 private:
     const b2World *m_world;
-    Column<b2Contact *> *m_contacts;
+    Column<b2Contact *> *m_contacts; ///< where they are written down
     bool m_known = false;
     uint32_t m_count = 0;
     const b2Contact *m_newest = nullptr;

@@ -46,7 +46,6 @@ private:
     bool Link();
     void LinkTo(b2Body *body, b2Contact *contact, b2Body *other);
 
-    b2Body *FirstSeed();
     b2Body *NextSeed(const b2Body *seed);
     void BuildIsland(b2Body *seed);
     void Take(b2Body *body);
@@ -100,7 +99,7 @@ void IslandPass::Run() {
 
 void IslandPass::SolveIslands(b2Profile *profile) {
     m_solver->Begin(m_step, m_listener, m_mayLink && !IsOfGame(m_listener));
-    for (b2Body *seed = FirstSeed(); seed != nullptr; seed = NextSeed(seed))
+    for (b2Body *seed = NextSeed(nullptr); seed != nullptr; seed = NextSeed(seed))
         if (MayBeSeed(seed))
             BuildIsland(seed);
     m_solver->Finish(profile);
@@ -116,6 +115,7 @@ void IslandPass::ClearFlags() {
     // (Where Bodies finds who is awake it has put all bodies out of islands.)
     m_onlyAwake = m_table != nullptr && m_mayLink &&
                   m_table->bodies.FindAwake(m_world->GetBodyList(), m_world->GetBodyCount());
+    m_seedsAreAwake = m_onlyAwake;
     for (b2Body *body = m_onlyAwake ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         BodyInIsland::Clear(body);
@@ -172,17 +172,11 @@ void IslandPass::LinkTo(b2Body *body, b2Contact *contact, b2Body *other) {
 
 // Islands.
 
-b2Body *IslandPass::FirstSeed() {
-    m_seedsAreAwake = m_onlyAwake;
-    if (!m_seedsAreAwake)
-        return m_world->GetBodyList();
-    return m_table->bodies.AwakeCount() > 0 ? m_table->bodies.Awake(0) : nullptr;
-}
-
+/// The first one follows nullptr.
 b2Body *IslandPass::NextSeed(const b2Body *seed) {
     if (!m_seedsAreAwake)
-        return seed->*Named(NextBody());
-    return ++m_seed < m_table->bodies.AwakeCount() ? m_table->bodies.Awake(m_seed) : nullptr;
+        return seed != nullptr ? seed->*Named(NextBody()) : m_world->GetBodyList();
+    return m_seed < m_table->bodies.AwakeCount() ? m_table->bodies.Awake(m_seed++) : nullptr;
 }
 
 void IslandPass::BuildIsland(b2Body *seed) {

@@ -41,10 +41,6 @@ bool ShowsProofs() {
     return shows;
 }
 
-Vec ToVec(const b2Vec2 &v) {
-    return {v.x, v.y};
-}
-
 std::vector<Vec> ToVecs(const b2Vec2 *points, int32 count) {
     std::vector<Vec> list;
     list.reserve(static_cast<std::size_t>(count));

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include <box2d/b2_math.h>
 #include <nlohmann/json.hpp>
 
 #include "picture/frame.h"
@@ -44,6 +45,10 @@ struct ShownProof {
 };
 /// Of kind none without the plugin. Between steps.
 ShownProof ShowProof(const b2Contact &contact);
+
+inline shown::Vec ToVec(const b2Vec2 &v) {
+    return {v.x, v.y};
+}
 } // namespace testbed
 
 #endif

@@ -24,10 +24,6 @@ void OnAnswer(const b2Contact &contact, bmr::Answer answer) {
     pluginObserver->OnAnswer(contact, answer >= bmr::Answer::HandedOver);
 }
 
-shown::Vec VecOf(const b2Vec2 &v) {
-    return {v.x, v.y};
-}
-
 bool IsSwitchedOff() {
     const char *asked = std::getenv("BOOMERANG");
     return asked != nullptr && std::strcmp(asked, "off") == 0;
@@ -76,16 +72,16 @@ ShownProof ShowProof(const b2Contact &contact) {
     proof.slack = found.slack;
     for (std::size_t side = 0; side < 2; ++side) {
         if (proof.kind == "disks")
-            proof.centres[side] = VecOf(found.supports[side]);
+            proof.centres[side] = ToVec(found.supports[side]);
         else if (proof.kind == "direction")
-            proof.supports[side] = VecOf(found.supports[side]);
+            proof.supports[side] = ToVec(found.supports[side]);
         proof.radii[side] = found.radii[side];
     }
     proof.owner = found.owner;
-    proof.normal = VecOf(found.normal);
-    proof.edge = {VecOf(found.edge[0]), VecOf(found.edge[1])};
+    proof.normal = ToVec(found.normal);
+    proof.edge = {ToVec(found.edge[0]), ToVec(found.edge[1])};
     if (proof.kind != "disks" && proof.kind != "direction")
-        proof.opposite = VecOf(found.supports[1 - found.owner]);
+        proof.opposite = ToVec(found.supports[1 - found.owner]);
     return shown;
 }
 
