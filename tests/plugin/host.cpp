@@ -3,9 +3,11 @@
 //
 //   host MODULE [global]            three times; `global`: for all to see
 //   host as FILE VERSION...         each version of a game, copied to FILE
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 #include <dlfcn.h>
 
@@ -19,7 +21,10 @@ bool Play(const char *file, int scope) {
         std::fprintf(stderr, "%s\n", why != nullptr ? why : "no module");
         return false;
     }
-    return reinterpret_cast<int (*)()>(play)() == 0 && dlclose(module) == 0;
+    const bool played = reinterpret_cast<int (*)()>(play)() == 0;
+    // `boomerang try` samples what is loaded.
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return played && dlclose(module) == 0;
 }
 
 } // namespace
