@@ -177,6 +177,32 @@ AS_STOCK("contacts that were disabled between steps are enabled where impacts ar
     }
 }
 
+AS_STOCK("contacts that a listener disables are enabled in the step after it, in which nobody is called") {
+    Game game(run);
+    // Their contact is the oldest: the others are updated ahead of it.
+    b2Body *const left = game.Awake({50.0f, 0.0f}), *const right = game.Awake({50.99f, 0.0f});
+    game.Step();
+    game.Wall({0.0f, 0.0f}, {0.05f, 6.0f});
+    for (int i = 0; i < 12; ++i)
+        game.Awake({-0.3f, Real(i) - 5.5f}, {0.2f, 0.2f});
+    game.Step(30);
+    game.Listen();
+    int disabled = 0;
+    game.listener.end.Once([&game, &disabled] {
+        for (b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext(), ++disabled)
+            c->SetEnabled(false);
+    });
+    left->SetLinearVelocity({-1.0f, 0.0f});
+    right->SetLinearVelocity({1.0f, 0.0f});
+    for (int step = 0; step < 6; ++step) {
+        game.Step();
+        for (const b2Contact *c = game.world.GetContactList(); c != nullptr; c = c->GetNext())
+            game.hash.Field("enabled", static_cast<uint32_t>(c->IsEnabled()));
+    }
+    game.WriteDown();
+    game.TookPlace(disabled - 10, "contacts are disabled");
+}
+
 AS_STOCK("a loop over contacts that a listener's exception ends is none") {
     struct Thrown {};
     struct Throwing final : b2ContactListener {

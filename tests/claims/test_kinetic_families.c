@@ -62,6 +62,24 @@ TEST(test_least_separation_is_sigma_within_1_percent) {
         }
 }
 
+/// How far a pass leaves the straight line, in diameters: a parabola by 0.5 to 2.
+TEST(test_only_a_parabola_bends_and_by_up_to_two_diameters) {
+    double most = 0.0;
+    for (uint64_t seed = 1; seed <= 20; seed++)
+        for (int family = BMR_FAMILY_LINE; family <= BMR_FAMILY_PARABOLA; family++) {
+            own_polygon *a = ngon(BMR_NGON_RANDOM, 12, seed), *b = ngon(BMR_NGON_LENS, 9, seed);
+            own_family m = family_motion((bmr_family)family, 10.0, seed, a, b);
+            const bmr_vec2 begin = relative_at(m.motions, 0.0).position,
+                           middle = relative_at(m.motions, 0.5).position,
+                           end = relative_at(m.motions, 1.0).position;
+            const bmr_vec2 off = bmr_sub(bmr_scale(0.5, bmr_add(begin, end)), middle);
+            const double bend = hypot(off.x, off.y) / m.diameter;
+            assert_true(family == BMR_FAMILY_LINE ? bend < 1e-12 : bend > 0.5 - 1e-9 && bend < 2.0 + 1e-9);
+            most = fmax(most, bend);
+        }
+    assert_true(most > 1.5);
+}
+
 /// B follows A's boundary all the way round at one distance, without a jump.
 TEST(test_orbit_keeps_its_distance_and_closes) {
     for (size_t n = 3; n <= 100; n += 13) {

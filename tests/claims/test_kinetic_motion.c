@@ -144,3 +144,15 @@ TEST(rotations_are_made_of_unit_length) {
         }
     }
 }
+
+TEST(two_points_in_one_place_touch) {
+    const bmr_vec2 origin = {0.0, 0.0};
+    own_polygon *a = made_polygon(&origin, 1), *b = made_polygon(&origin, 1);
+    for (int apart = 0; apart < 2; ++apart) {
+        const bmr_pose here = bmr_pose_from_angle(bmr_vec2_make(0.3, 0.4), 1.0),
+                       there = bmr_pose_from_angle(bmr_vec2_make(0.3 + 0.25 * apart, 0.4), 2.0);
+        own_motion *first = made_motion(bmr_piece_rest(here)), *second = made_motion(bmr_piece_rest(there));
+        const bmr_pair_motion pair = {first, second, a, b};
+        assert_true(fabs(bmr_pair_separation(&pair, 0.5) - 0.25 * apart) <= 1e-15);
+    }
+}

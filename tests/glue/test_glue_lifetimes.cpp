@@ -181,6 +181,35 @@ TEST_CASE("control: one block that is not given back is seen") {
 #endif
 }
 
+AS_STOCK("two hundred worlds at once are not mixed up, in whatever order they end, and leave nothing") {
+    Game game(run);
+    b2PolygonShape square;
+    square.SetAsBox(0.5f, 0.5f);
+    const auto live = [&game, &square] {
+        std::vector<std::unique_ptr<b2World>> worlds;
+        for (int i = 0; i < 200; ++i) {
+            worlds.push_back(std::make_unique<b2World>(b2Vec2(0.0f, -10.0f)));
+            for (int body = 0; body < 12; ++body) {
+                b2BodyDef def;
+                def.type = body == 0 ? b2_staticBody : b2_dynamicBody;
+                def.position.Set(0.01f * Real(i % 7), 1.02f * Real(body));
+                worlds.back()->CreateBody(&def)->CreateFixture(&square, 1.0f);
+            }
+        }
+        for (int left = 200; left > 0; left -= 40) {
+            for (const auto &world : worlds) {
+                world->Step(1.0f / 60.0f, 8, 3);
+                game.hash.Begin("world", static_cast<uint64_t>(world->GetContactCount()));
+                game.hash.Field("height", world->GetBodyList()->GetPosition().y);
+            }
+            for (int i = 0; i < 40; ++i)
+                worlds.erase(worlds.begin() + (i * 37) % (left - i));
+        }
+    };
+    game.Stage(LeavesNothing(200, live), "no growth");
+    game.WriteDown();
+}
+
 AS_STOCK("a world that dies with contacts alive leaks nothing") {
     const auto live = [&run] {
         Heard game(run);
