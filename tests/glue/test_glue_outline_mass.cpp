@@ -140,7 +140,8 @@ TEST_CASE("what cannot be held is refused with what to do, and not where nothing
 TEST_CASE("of several outlines on a body, too, an inertia is right to an eighth, or an error") {
     Engine engine(7);
     int refused = 0, several = 0;
-    for (size_t n = 0; n < test_scaled(3000); ++n) {
+    // (Fewer see nothing of an inertia that was taken from the pieces' distances.)
+    for (size_t n = 0; n < std::max<size_t>(test_scaled(3000), 1500); ++n) {
         CAPTURE(n);
         const float away = std::pow(10.0f, UniformF(engine, 2.0, 3.5)), angle = UniformF(engine, -3.2, 3.2);
         const b2Vec2 at = away * b2Vec2(std::cos(angle), std::sin(angle));
