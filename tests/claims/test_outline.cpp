@@ -559,3 +559,18 @@ TEST_CASE("the audit of pieces sees what is falsified") {
     CHECK(audited([](Edges *, Firsts *, Points *p) { (*p)[0] = (*p)[1]; }) == BMR_ERROR_NOT_CONVEX);
     bmr_outline_pieces_destroy(pieces, nullptr);
 }
+
+TEST_CASE("where edges cross that are longer than a double is a finite place") {
+    constexpr double kFar = 1.5e308;
+    for (const bool upright : {false, true}) {
+        std::vector<bmr_vec2> ring = {{-kFar, 0.0}, {kFar, 0.0}, {1e300 - kFar, 1.0}, {1e300 - kFar, -1.0}};
+        for (bmr_vec2 &p : ring)
+            p = upright ? bmr_vec2{p.y, p.x} : p;
+        Outline outline;
+        outline.Add(ring);
+        const bmr_rings rings = outline.Rings();
+        bmr_outline_fault fault;
+        REQUIRE(bmr_outline_check(&rings, nullptr, &fault) == BMR_ERROR_CROSSING_EDGES);
+        CHECK(Same(fault.where, ring[0]));
+    }
+}
