@@ -5,6 +5,7 @@
 
 #include "boomerang/outline_shape.h"
 #include "cases.h"
+#include "glue/contacts/convex_contact.h"
 
 #include "plain_pieces.h"
 
@@ -355,4 +356,36 @@ TEST_CASE("a dart that meets a seam goes no deeper than into one box") {
                 darts += box > 0.005f;
             }
     CHECK(darts > 30); // as many did meet it
+}
+
+TEST_CASE("an impact with a piece that is not touched gets the points of the one that is") {
+    b2World world(b2Vec2(0.0f, 0.0f));
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    const b2Vec2 points[] = {{-4, 0}, {-4, -2}, {-2, -2}, {0, -1}, {2, -2}, {4, -2}, {4, 0}, {0, 0}};
+    bmr::OutlineShape outline;
+    REQUIRE(outline.Set(points, 8) == BMR_OK);
+    REQUIRE(outline.CreateFixtures(world.CreateBody(&def), 1.0f) == BMR_OK);
+    b2PolygonShape box;
+    box.SetAsBox(0.5f, 0.5f);
+    def.position.Set(-0.55f, 0.5f);
+    world.CreateBody(&def)->CreateFixture(&box, 1.0f);
+    world.Step(0.0f, 1, 1);
+    REQUIRE(world.GetContactCount() == 2);
+    int far = 0;
+    for (const b2Contact *c = world.GetContactList(); c != nullptr; c = c->GetNext()) {
+        const bmr::TwoFixtures two = {c->GetFixtureA(), c->GetFixtureB(), c->GetChildIndexA()};
+        const b2Transform &xfA = two.a->GetBody()->GetTransform(), &xfB = two.b->GetBody()->GetTransform();
+        bmr_convex32_memory memory = {};
+        b2Manifold plain = {}, still = {}, impact = {};
+        bmr::CollideConvex(two, bmr::Seams::Ignored, &plain, xfA, xfB, &memory);
+        if (plain.pointCount > 0)
+            continue;
+        ++far;
+        bmr::AnswerForOthers(*c, two, false, &still, xfA, xfB, memory);
+        CHECK(still.pointCount == 0);
+        bmr::AnswerForOthers(*c, two, true, &impact, xfA, xfB, memory);
+        CHECK(impact.pointCount == 2);
+    }
+    CHECK(far == 1);
 }
