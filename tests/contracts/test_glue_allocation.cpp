@@ -5,8 +5,6 @@
 #include <csignal>
 #include <new>
 
-#include <sys/wait.h>
-
 #include "as_stock.h"
 #include "base/columns.h"
 #include "boomerang/contact_recorder.h"
@@ -229,20 +227,16 @@ TEST_CASE("what cannot be drawn whole for want of memory is drawn in pieces") {
 }
 
 TEST_CASE("without memory for its own tables the program ends with a sentence") {
-    const std::string said = StderrOf([] {
-        const pid_t child = fork();
-        if (child == 0) {
+    std::string end;
+    const std::string said = StderrOf([&end] {
+        end = as_stock::InChild([](as_stock::Run &) {
             std::signal(SIGABRT, SIG_DFL); // else doctest's report of a crash
             bmr::Column<int> column;
             failing_malloc::FailAt(0);
             column.Reserve(100);
-            test_leave(0);
-        }
-        int status = 0;
-        waitpid(child, &status, 0);
-        CHECK(WIFSIGNALED(status));
-        CHECK(WTERMSIG(status) == SIGABRT);
+        });
     });
+    CHECK(end == "!child was ended by signal " + std::to_string(SIGABRT) + "\n");
     CHECK(said == "boomerang: there is no memory\n");
 }
 

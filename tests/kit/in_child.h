@@ -222,8 +222,10 @@ inline std::string InChild(const Scenario &play, const bmr::Options *options = n
     close(ends[0]);
     int status = 0;
     waitpid(child, &status, 0);
-    if (status != 0)
-        text += "!child ended with status " + std::to_string(status) + "\n";
+    if (WIFSIGNALED(status))
+        text += "!child was ended by signal " + std::to_string(WTERMSIG(status)) + "\n";
+    else if (status != 0)
+        text += "!child ended with status " + std::to_string(WEXITSTATUS(status)) + "\n";
     return text;
 }
 
