@@ -77,7 +77,7 @@ static void check_event(void *context, const bmr_event *event) {
             fail_msg("%s, level %d -> %d: the audit: %s", bmr_event_name(event->kind), event->level_before,
                      event->level_after, bmr_error_describe(audit));
         assert_true(event->gap > 0.0);
-        assert_true(event->gap <= distance_on_level(t, event->level_after, event->pose) + 1e-12);
+        assert_true(event->gap <= distance_on_level(t, event->level_after, event->pose) + 1e-15);
     }
     switch (event->kind) {
     case BMR_EVENT_START:
