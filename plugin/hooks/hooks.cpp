@@ -114,8 +114,9 @@ BMR_FOR_LOADERS("_ZN7b2WorldD2Ev");
 
 namespace {
 
+/// (A body of a Box2D that is not known is not read.)
 void NoteFiltering(const b2Body *body) {
-    const b2World *const world = body != nullptr ? body->GetWorld() : nullptr;
+    const b2World *const world = AnyPairTable() && body != nullptr ? body->GetWorld() : nullptr;
     PairTable *table = world != nullptr ? FindPairTable(&world->GetContactManager()) : nullptr;
     if (table == nullptr)
         return;
@@ -127,15 +128,11 @@ void NoteFiltering(const b2Body *body) {
 } // namespace
 
 void b2Fixture::Refilter() {
-    if (!AnyPairTable())
-        return stock::Refilter(this);
     stock::Refilter(this);
     NoteFiltering(GetBody());
 }
 
 void b2Fixture::SetFilterData(const b2Filter &filter) {
-    if (!AnyPairTable())
-        return stock::SetFilterData(this, filter);
     stock::SetFilterData(this, filter);
     NoteFiltering(GetBody());
 }

@@ -210,14 +210,13 @@ const char *WhyLibraryIsUnknown() {
     return nullptr;
 }
 
-long loadedIn;
 /// Preloaded, or asked for by the environment. Otherwise the program calls bmr::Install.
 bool startsAtFirstStep = false;
 
-/// At the end of the process that loaded the library, where nothing else was said.
+/// Where nothing else was said.
 void SayWhyNotUsed() {
     const bool came = StepsAreSeen() && !internal::startsByItself;
-    if (ThisProcess() != loadedIn || IsAnnounced())
+    if (IsAnnounced())
         return;
     const char *why = nullptr;
     if (startsAtFirstStep)
@@ -229,10 +228,8 @@ void SayWhyNotUsed() {
 }
 
 void SayAtExitIfNotUsed() {
-    if (!IsVerbose())
-        return;
-    loadedIn = ThisProcess();
-    std::atexit(SayWhyNotUsed);
+    if (IsVerbose())
+        CallAtEnd(SayWhyNotUsed);
 }
 
 /// Runs when the library is loaded, possibly before other libraries' and the program's own constructors: it

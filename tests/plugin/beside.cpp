@@ -37,6 +37,13 @@ void _ZN16b2ContactManager15FindNewContactsEv(void *manager) {
     box2d(manager);
 }
 
+#elif defined(CALLS_INSTALL)
+
+// The line of a game's that puts Boomerang to work.
+#    include <boomerang/box2d.h>
+
+[[maybe_unused]] const bool installed = bmr::Install();
+
 #else
 
 // A program that never heard of Box2D.

@@ -145,6 +145,18 @@ test_linked_without_a_call_is_off_unless_told_on() {
     at_work "linked and preloaded"
 }
 
+test_linked_with_a_call_is_on_unless_told_off() {
+    local mode
+    for mode in '' on verify off; do
+        game calling_game BOOMERANG=$mode
+        same_output "calling, '$mode'"
+        if [ "$mode" = off ]; then at_rest "calling, off"; else at_work "calling, '$mode'"; fi
+        if [ "$mode" = verify ]; then verified calling; else quiet "calling, '$mode'"; fi
+    done
+    game calling_game
+    [ "$(number toi_answered)" -gt 0 ] || fail "calling: no time of impact was answered"
+}
+
 test_linked_behind_box2d_is_refused() {
     local mode
     for mode in on verify; do

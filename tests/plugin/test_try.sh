@@ -47,7 +47,7 @@ holds "with progress" counts_runs
 holds "which counts all runs" says 'run 8 of 8: verify'
 
 # Games that have Boomerang as they are.
-holds "a game that calls bmr::Install" tries 0 -- "${boomerang%/*}/game_loop"
+holds "a game that calls bmr::Install" tries 0 -- "$bin/calling_game"
 holds "says so, and no LD_PRELOAD" says 'is linked with Boomerang already \(/.*libboomerang_box2d.*BOOMERANG=off in its environment turns'
 holds "nothing is to be preloaded" misses LD_PRELOAD
 g++ -O1 "$(dirname "${BASH_SOURCE[0]}")/plain_game.cpp" -o "$temp/linked game" -Wl,--no-as-needed "${boomerang%/bin/*}/lib/libboomerang_box2d.so" \

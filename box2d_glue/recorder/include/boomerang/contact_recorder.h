@@ -94,7 +94,6 @@ public:
     /// call there are no hits. A body at rest presses with its weight times the length of the step, in every
     /// step: choose a threshold above that. A pair may hit several times in one step.
     void SetHitThreshold(float impulse) { m_hitThreshold = impulse; }
-    float GetHitThreshold() const { return m_hitThreshold; }
 
     /// The events since the last call, or since the beginning. The lists are good until the next call or the
     /// recorder's end. Unless `mayBeGone`, their fixtures and bodies still exist if the game destroyed none
