@@ -17,7 +17,6 @@
 #    define BMR_COLD __attribute__((noinline, cold))
 #    define BMR_RARELY(condition) __builtin_expect((condition), 0)
 #    define BMR_PREFETCH(address) __builtin_prefetch(address)
-#    define BMR_FORMAT(text, first) __attribute__((format(printf, text, first)))
 #    define BMR_NOT_FOR_ADDRESS_SANITIZER __attribute__((no_sanitize("address")))
 /// A variable of each thread's, zero or a constant at first. (thread_local asks for an initialiser's call
 /// wherever it is read from another file.)
@@ -27,7 +26,6 @@
 #    define BMR_COLD __declspec(noinline)
 #    define BMR_RARELY(condition) (condition)
 #    define BMR_PREFETCH(address) _mm_prefetch(reinterpret_cast<const char *>(address), _MM_HINT_T0)
-#    define BMR_FORMAT(text, first)
 #    define BMR_NOT_FOR_ADDRESS_SANITIZER
 #    define BMR_THREAD thread_local
 #endif

@@ -5,9 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <new>
-#include <type_traits>
 
 namespace bmr {
 
@@ -44,11 +42,7 @@ template <typename T> struct GlueAllocator {
 /// may still step a world. One load after the first use: the pointer needs no check of an initialiser. (T
 /// itself is on the heap: large thread-local objects would eat the small stacks that some programs give their
 /// threads.)
-///
-/// Where zeros do for a constructor and nothing for a destructor, T costs nothing until it is used: the
-/// system hands out large blocks zeroed, page by page.
 template <typename T> T *PerThread() {
-    constexpr bool kPlain = std::is_trivially_copyable<T>::value;
     // Both have no destructors: they are good for as long as the thread runs at all.
     static thread_local T *mine = nullptr;
     static thread_local bool ended = false;
@@ -61,20 +55,14 @@ template <typename T> T *PerThread() {
             ended = true;
             if (dying == nullptr)
                 return;
-            if constexpr (!kPlain)
-                dying->~T();
+            dying->~T();
             std::free(dying);
         }
         // (A thread_local is made, and its destructor noted, where it is first used.)
         void Take(T *made) const { mine = made; }
     };
     static thread_local Owner owner;
-    if constexpr (kPlain) {
-        constexpr size_t bytes = sizeof(T);
-        void *const memory = TakeMemory(nullptr, bytes);
-        owner.Take(static_cast<T *>(std::memset(memory, 0, bytes)));
-    } else
-        owner.Take(new (TakeMemory(nullptr, sizeof(T))) T());
+    owner.Take(new (TakeMemory(nullptr, sizeof(T))) T());
     return mine;
 }
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "debug/statistics.h"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cinttypes>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <iterator>
 #include <string_view>
+
+#if !defined(_WIN32)
+#    include <unistd.h>
+#endif
 
 #include "boomerang/box2d_glue.h"
 #include "start/install.h"
@@ -47,15 +49,6 @@ bool AnswersAreObserved() {
     return answerObserver != nullptr;
 }
 
-Presence GetPresence() {
-    Presence presence;
-    presence.way = TheWay();
-    presence.box2d = VersionOfBox2D();
-    if (const char *const why = WhyRefused())
-        presence.whyNot = why;
-    return presence;
-}
-
 Counted internal::ReadCounts() {
     Counted read;
     const Counts &counts = GetCounts();
@@ -63,19 +56,6 @@ Counted internal::ReadCounts() {
     for (int kind = 0; kind < BMR_EVENT_KIND_COUNT; ++kind)
         read.events[kind] = counts.events[kind];
     return read;
-}
-
-Statistics GetStatistics() {
-    const Counted counted = internal::ReadCounts();
-    Statistics s;
-    s.steps = counted.steps;
-    s.pairs = counted.pairs;
-    s.updates = counted.updates;
-    s.renewals = counted.renewals;
-    std::copy(std::begin(counted.events), std::end(counted.events), s.events);
-    s.verified = counted.verified;
-    s.differences = counted.differences;
-    return s;
 }
 
 // The line at exit.
@@ -87,8 +67,10 @@ namespace {
 BMR_THREAD bool inStep = false;
 bool linesAreWanted = false;
 std::atomic<uint64_t> steps{0}, nanoseconds{0};
-std::atomic<bool> lineIsSaid{false};
-std::atomic<long> steppedIn{0}; ///< the process that took the first step; 0: none did
+std::atomic<bool> lineIsSaid{false}, hasStepped{false};
+/// Of the process that says it: the one that took the first step, or, where none did, that wanted it said. One
+/// that was forked afterwards has its parent's counts, and says nothing.
+std::atomic<long> speaker{0};
 uint64_t mostSteps = ~uint64_t{0};
 
 constexpr int kMostCalls = 4;
@@ -100,17 +82,24 @@ int64_t Now() {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
 
-/// Not of a process that was forked: its parent says what both had.
+long ThisProcess() {
+#if defined(_WIN32) // which does not fork
+    return 0;
+#else
+    return getpid();
+#endif
+}
+
 void SayLine() {
     const auto count = static_cast<double>(steps);
-    if (count == 0.0 || steppedIn != ThisProcess() || lineIsSaid.exchange(true))
+    if (count == 0.0 || lineIsSaid.exchange(true))
         return;
     std::fprintf(stderr, "boomerang: %.0f steps, %.2f us each\n", count,
                  1e-3 * static_cast<double>(nanoseconds) / count);
 }
 
 void CallAll() {
-    for (int i = callCount; i-- > 0;)
+    for (int i = speaker == ThisProcess() ? callCount.load() : 0; i-- > 0;)
         if (void (*const call)() = calls[i].exchange(nullptr))
             call();
 }
@@ -155,9 +144,8 @@ void WatchForSignals() {}
 #endif
 
 void WriteCounts() {
-    std::FILE *const file = IsInstalled() && (steppedIn == 0 || steppedIn == ThisProcess())
-                                ? std::fopen(ReadEnvironment("BOOMERANG_COUNTS").data(), "w")
-                                : nullptr;
+    std::FILE *const file =
+        IsInstalled() ? std::fopen(ReadEnvironment("BOOMERANG_COUNTS").data(), "w") : nullptr;
     if (file == nullptr)
         return;
     const Counted counted = internal::ReadCounts();
@@ -171,8 +159,10 @@ void WriteCounts() {
 } // namespace
 
 void CallAtEnd(void (*say)()) {
-    if (callCount == 0)
+    if (callCount == 0) {
+        speaker = ThisProcess();
         std::atexit(EndAtExit);
+    }
     const int place = callCount++;
     if (place < kMostCalls)
         calls[place] = say;
@@ -206,10 +196,10 @@ bool CountsAreWanted() {
 
 TimedStep::TimedStep() : m_begin(Now()), m_outermost(!inStep) {
     inStep = true;
-    long none = 0;
-    if (steppedIn.load(std::memory_order_relaxed) == 0 &&
-        steppedIn.compare_exchange_strong(none, ThisProcess()))
-        WatchForSignals();
+    if (hasStepped.load(std::memory_order_relaxed) || hasStepped.exchange(true))
+        return;
+    speaker = ThisProcess();
+    WatchForSignals();
 }
 
 void TimedStep::End() const {

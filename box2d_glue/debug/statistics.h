@@ -10,7 +10,7 @@
 #include "boomerang/pair.h"
 
 /// @file
-/// What is counted of the work. The tests and the testbed read all of it; a game reads bmr::Statistics.
+/// What is counted of the work, for the tests and the testbed.
 
 namespace bmr {
 
@@ -27,7 +27,6 @@ template <typename Number> struct CountsOf {
     Number handedOverTouching{0}; ///< of those, because the pair touched at the last update
     Number touchingAnswered{0};   ///< of those handed over, made here instead of by b2CollidePolygons
     Number toiAnswered{0};        ///< times of impact that a step asked for, answered without Box2D
-    Number overlapsAnswered{0};   ///< overlaps of sensors, answered without Box2D
     Number pairs{0};              ///< contacts of awake bodies, summed over the steps of worlds with a table
     Number updates{0};            ///< of the pairs, the ones whose contact or geometry was read
     Number renewals{0};           ///< of the pairs, the ones that their own line renewed
@@ -52,7 +51,6 @@ template <typename Visit, typename... Some> void VisitCounts(const Visit &visit,
     visit("handed_over_touching", of.handedOverTouching...);
     visit("touching_answered", of.touchingAnswered...);
     visit("toi_answered", of.toiAnswered...);
-    visit("overlaps_answered", of.overlapsAnswered...);
     visit("pairs", of.pairs...);
     visit("updates", of.updates...);
     visit("renewals", of.renewals...);
@@ -131,7 +129,8 @@ private:
 };
 
 /// Calls it when the process ends: by exit, or by SIGINT, SIGTERM or SIGHUP where steps are timed and the
-/// game does not handle that signal itself. At most four functions.
+/// game does not handle that signal itself. Not in a process that was forked from the one that took the first
+/// step. At most four functions.
 void CallAtEnd(void (*say)());
 
 } // namespace bmr

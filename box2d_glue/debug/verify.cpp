@@ -46,24 +46,6 @@ bool Same(const b2Manifold &a, const b2Manifold &b) {
     return same;
 }
 
-long installedIn;
-
-/// Not of a process that was forked: its counts begin with its parent's.
-void SayVerified() {
-    if (ThisProcess() == installedIn)
-        std::fprintf(stderr, "boomerang: verified %" PRIu64 " answers, %" PRIu64 " differ\n",
-                     GetCounts().verified.load(), GetCounts().differences.load());
-}
-
-} // namespace
-
-void SayVerifiedAtExit() {
-    installedIn = ThisProcess();
-    CallAtEnd(SayVerified);
-}
-
-namespace {
-
 /// Counts a comparison. `what` was answered; the fixtures, if it was about two, are described for a reader
 /// who looks for them in his own program: Box2D gives bodies no names.
 void Compared(bool same, const char *what, const b2Fixture *fixtureA, const b2Fixture *fixtureB) {
@@ -155,6 +137,11 @@ void VerifyPairs(const b2DynamicTree &tree, const int32 *moves, int32 count, con
             tree.Query(&query, tree.GetFatAABB(moves[i]));
     }
     Compared(query.same && query.next == query.end, "pairs of a search", nullptr, nullptr);
+}
+
+void SayVerified() {
+    std::fprintf(stderr, "boomerang: verified %" PRIu64 " answers, %" PRIu64 " differ\n",
+                 GetCounts().verified.load(), GetCounts().differences.load());
 }
 
 void VerifyExists(const b2Fixture &a, const b2Fixture &b, bool ours, bool box2d) {

@@ -38,10 +38,9 @@ void VerifyManifold(const b2Fixture *fixtureA, const b2Fixture *fixtureB, const 
                     const b2Manifold &box2d);
 void VerifyOverlap(const b2Fixture *fixtureA, const b2Fixture *fixtureB, bool ours, bool box2d);
 
-/// When the process ends (by exit, or by returning from main), one line on stderr says how many answers were
-/// compared and how many differed, also where none was. Called once, by Install. A process that was forked
-/// afterwards says no line; its differences are said as they are found.
-void SayVerifiedAtExit();
+/// One line on stderr: how many answers were compared and how many differed, also where none was. For
+/// CallAtEnd.
+void SayVerified();
 
 } // namespace bmr
 

@@ -6,12 +6,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#if defined(_WIN32) // which does not fork
-#    include <process.h>
-#else
-#    include <unistd.h>
-#endif
-
 #include "base/memory.h"
 #include "base/rounding_mode.h"
 #include "boomerang/box2d_glue.h"
@@ -39,7 +33,7 @@ std::atomic<bool> announced{false};
 std::recursive_mutex processLock;
 bool called = false;
 bool installed = false;
-const char *refusedWhy = nullptr;
+bool refused = false;
 
 /// Why Box2D's arithmetic is not the one that ours repeats, in a few words; nullptr where it is.
 const char *WhyRoundingIsAnother() {
@@ -67,7 +61,7 @@ const char *TheWay() {
 
 bool Refuse(const char *why) {
     const HoldsProcessLock lock;
-    refusedWhy = why;
+    refused = true;
     ClaimAnnouncement();
     std::fprintf(stderr, "boomerang: not at work, Box2D runs as it is: %s\n", why);
     return false;
@@ -96,7 +90,7 @@ void MakeSettings(const Options &options) {
 bool Install(const Options &given) {
     const HoldsProcessLock lock;
     called = true;
-    if (installed || refusedWhy != nullptr)
+    if (installed || refused)
         return false;
     const NearestRounding nearest; // Box2D is tried out in the mode in which it will be asked
     const Options options = WithEnvironment(given);
@@ -121,15 +115,10 @@ bool Install(const Options &given) {
     internal::state = internal::State::PassesRun;
     installed = true;
     if (options.mode == Mode::Verify)
-        SayVerifiedAtExit();
+        CallAtEnd(SayVerified);
     if (options.verbosity > 0 && ClaimAnnouncement())
         Announce(options);
     return true;
-}
-
-const char *WhyRefused() {
-    const HoldsProcessLock lock;
-    return refusedWhy;
 }
 
 bool InstallWasCalled() {
@@ -140,14 +129,6 @@ bool InstallWasCalled() {
 bool IsInstalled() {
     const HoldsProcessLock lock;
     return installed;
-}
-
-long ThisProcess() {
-#if defined(_WIN32)
-    return _getpid();
-#else
-    return getpid();
-#endif
 }
 
 bool ClaimAnnouncement() {

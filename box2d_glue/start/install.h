@@ -10,18 +10,14 @@ class b2ContactFilter;
 class b2ContactListener;
 
 /// @file
-/// What is installed, and what else belongs to the process, not to a world: its number, its lock, what it has
-/// said, which class its contact recorders are of, and which Box2D it has (recognise.cpp). (A child has all
-/// that its parent had, exit handlers too.)
+/// What is installed, and what else belongs to the process, not to a world: its lock, what it has said, and
+/// which Box2D it has (recognise.cpp). (A child has all that its parent had, exit handlers too.)
 
 namespace bmr {
 
-/// From here on Install returns false, and nothing of Box2D is touched. Says why, in one line on stderr. Not
-/// copied. Returns false.
+/// From here on Install returns false, and nothing of Box2D is touched. Says why, in one line on stderr.
+/// Returns false.
 bool Refuse(const char *why);
-
-/// Why this Box2D was left alone: what was said on stderr. nullptr where it was not.
-const char *WhyRefused();
 
 /// Was Install called, with any result? Then the library does not start by itself.
 bool InstallWasCalled();
@@ -30,9 +26,6 @@ bool InstallWasCalled();
 /// refuses. Not copied.
 void SetWay(const char *way, const char *whyNotAhead);
 const char *TheWay();
-
-/// The system's number of this process.
-long ThisProcess();
 
 /// What is said on stderr about what is at work: true for the first who asks, in this process or the one that
 /// it was forked from.

@@ -27,8 +27,6 @@ void Refuse(Run &run) {
     const std::string said = StderrOf([&done] { done = bmr::Install(); });
     if (done || bmr::IsInstalled() || said != kRefusal)
         run.Print("!%d %s", done, said.c_str());
-    if (std::string(bmr::GetPresence().whyNot).find("b2World::Step") == std::string::npos)
-        run.Print("!whyNot: %s", bmr::GetPresence().whyNot);
     if (StderrOf([&done] { done = bmr::Install(); }) != "" || done)
         run.Print("!said twice, or installed");
 }

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <string>
 
+#include <unistd.h>
+
 #include "as_stock.h"
 #include "start/install.h"
 #include "start/settings.h"
@@ -23,8 +25,7 @@ void PrintInstall(Run &run, const bmr::Options &options) {
 /// A name in the directory of temporary files that no other process uses.
 std::string NameFor(const char *end) {
     const char *folder = std::getenv("TMPDIR");
-    return std::string(folder != nullptr ? folder : "/tmp") + "/boomerang-" +
-           std::to_string(bmr::ThisProcess()) + end;
+    return std::string(folder != nullptr ? folder : "/tmp") + "/boomerang-" + std::to_string(getpid()) + end;
 }
 
 } // namespace

@@ -35,10 +35,7 @@ bool Overlaps(b2Contact *contact) {
     PolygonContact *const ours = PolygonContact::AsOurs(contact);
     const Overlap answer = CertainOverlap(*a.GetShape(), childA, *b.GetShape(), childB, poseA, poseB,
                                           ours != nullptr ? ours->Memory() : nullptr, contact->IsTouching());
-    if (answer == Overlap::kUnknown)
-        return ofBox2D();
-    Count(&Counts::overlapsAnswered);
-    return answer == Overlap::kOverlapping;
+    return answer == Overlap::kUnknown ? ofBox2D() : answer == Overlap::kOverlapping;
 }
 
 /// Points that were there before, by their features, keep the impulses that the solver starts from.

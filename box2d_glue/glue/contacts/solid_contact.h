@@ -27,31 +27,14 @@ namespace bmr {
 
 /// @file
 /// A contact of two polygons is a kinetic structure of its own: it keeps a certificate from update to update.
-/// These are its events in the paper's words. (With Options::pairsBy the structures of two bodies' hulls are
-/// in their place, and core tells their events.)
-///
-/// A contact's structure has two levels.
-/// - Level 0 is the polygons themselves. Of two small ones the certificate is an edge of one, with all of the
-///   other beyond it. Where one is big, it is a direction, with the vertices that are farthest along it. Of a
-///   sensor's contact it is a direction, too.
-/// - Level -1 is what is coarser: the disks around two big polygons.
-///
-/// | event | it is reported when |
-/// | --- | --- |
-/// | start | the first certificate is made |
-/// | push | the certificate fails, and another edge or direction separates the two |
-/// | stab | what is coarser fails, and an edge or a direction separates the two |
-/// | coarsen | the disks are apart, where an edge or a direction was needed before |
-/// | contact | nothing separates the two that is looked for: they are handed over to the exact test |
-/// | leave | the two were handed over, and are known to be apart now |
+/// Options::onEvent says which events it has in the paper's words, and of which level. (With Options::pairsBy
+/// the structures of two bodies' hulls are in their place, and core tells their events.)
 ///
 /// There is no roll. All vertices of the other polygon are tried at an update, or the farthest is searched:
 /// there is no window that the direction could leave. For the same reason any other edge is a push, whichever
 /// of the two polygons it belongs to.
 ///
-/// No event: an update at which the certificate holds; a deadline that is renewed by its line; the end of a
-/// contact. Where the two bodies meet again, the new contact starts
-/// anew. (What was handed over may leave by the line that its pair in the table then gets.)
+/// What was handed over to the exact test may leave by the line that its pair in the table then gets.
 ///
 /// So its events are (start (push | stab | coarsen)*)? (contact leave (push | stab | coarsen)*)*, cut
 /// off anywhere.

@@ -46,7 +46,7 @@ enum class DrawAs : int32_t {
 
 /// How the plugin works. One for the process, fixed at the first Install.
 struct Options {
-    /// Count events. Costs a few per cent; GetStatistics() is all zero without it.
+    /// Count events. Costs a few per cent.
     bool statistics = false;
     /// Called with every event of every pair (implies statistics), from inside b2World::Step, on the thread
     /// that steps: it must not touch the world.
@@ -79,7 +79,8 @@ struct Options {
     /// hulls themselves. Shapes other than polygons are Box2D's. The bits are the same.
     /// (BMR_STRUCTURE_COUNT names no structure.)
     bmr_structure pairsBy = BMR_STRUCTURE_COUNT;
-    /// 0: only refusals and differences are printed on stderr. 1: Presence, too.
+    /// 0: only refusals and differences are printed on stderr. 1: how the plugin is at work, too, and what a
+    /// step took.
     int32_t verbosity = 0;
     /// How b2World::DebugDraw draws a ConvexShape, if the shared library stands in front of Box2D.
     DrawAs drawAs = DrawAs::Pieces;
@@ -94,28 +95,6 @@ struct Options {
 /// line on stderr says which, once.
 BMR_BOX2D_API bool Install(const Options &options = Options());
 BMR_BOX2D_API bool IsInstalled();
-
-/// How the plugin works with the Box2D of this process. BOOMERANG_VERBOSE=1 prints the same.
-struct Presence {
-    /// How Box2D's calls reach the library: "ahead of Box2D" (for the loader), "compiled with Box2D"
-    /// (boomerang_accelerate), or not at all: "not ahead of Box2D".
-    const char *way = "";
-    const char *box2d = "";  ///< "2.4.1" or "2.4.2"
-    const char *whyNot = ""; ///< why Install refused, in a few words; empty where it did not
-};
-BMR_BOX2D_API Presence GetPresence();
-
-/// Counts since the process began, summed over all worlds and threads.
-struct Statistics {
-    uint64_t steps = 0;    ///< calls of b2World::Step (seen by the shared library alone)
-    uint64_t pairs = 0;    ///< contacts of awake bodies, summed over the steps of worlds that are ours
-    uint64_t updates = 0;  ///< of `pairs`, those whose contact or geometry was read
-    uint64_t renewals = 0; ///< of `pairs`, those that their line gave a new deadline, without reading them
-    uint64_t events[BMR_EVENT_KIND_COUNT] = {}; ///< of all pairs, by kind (Options::onEvent)
-    uint64_t verified = 0;                      ///< answers compared with Box2D's (Mode::Verify)
-    uint64_t differences = 0;                   ///< of those, the ones that differed
-};
-BMR_BOX2D_API Statistics GetStatistics();
 
 /// Drops all that the library remembers of this world. The world's next step begins anew, with the same bits;
 /// it costs about as much as one step without the plugin. Call it between steps, on the thread that uses the
