@@ -106,6 +106,11 @@ struct ContactAccess : b2Contact {
     static constexpr uint32 kAll =
         e_islandFlag | e_touchingFlag | e_enabledFlag | e_filterFlag | e_bulletHitFlag | e_toiFlag;
 
+    static bool WantsFiltering(const b2Contact &contact) {
+        return (contact.*(&ContactAccess::m_flags) & e_filterFlag) != 0;
+    }
+    static void FilteringIsDone(b2Contact *contact) { Flags(contact) &= ~uint32{e_filterFlag}; }
+
     /// Most are enabled: what is not written need not go back to memory.
     static void Enable(b2Contact *contact) {
         if ((Flags(contact) & e_enabledFlag) == 0)

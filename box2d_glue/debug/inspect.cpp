@@ -25,10 +25,6 @@ b2Vec2 Float(const bmr_vec2 &v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y)};
 }
 
-b2Vec2 FromPolygon(bmr_vec32 v) {
-    return {v.x, v.y};
-}
-
 b2Vec2 FromCertificate(const float v[2]) {
     return {v[0], v[1]};
 }
@@ -122,24 +118,14 @@ struct FaceGap {
     int32_t edge;
 };
 
-bmr_polygon32 SmallPolygon(const b2Fixture &fixture) {
-    return Polygon32(static_cast<const b2PolygonShape &>(*fixture.GetShape()));
-}
-
 bmr_transform32 FrameOf(const b2Fixture &owner, const b2Fixture &other) {
     return bmr_exact32_relative(Transform32(other.GetBody()->GetTransform()),
                                 Transform32(owner.GetBody()->GetTransform()));
 }
 
-/// Along the edge of the owner that has the largest; of the real polygons if one of them is big.
+/// Along the edge of the owner that has the largest; of the real polygons.
 FaceGap LargestFaceGap(const b2Fixture &owner, const b2Fixture &other) {
     const bmr_transform32 frame = FrameOf(owner, other);
-    if (!IsBig(owner) && !IsBig(other)) { // to the bit
-        const bmr_polygon32 own = SmallPolygon(owner), others = SmallPolygon(other);
-        int32_t edge = 0;
-        const float separation = bmr_exact32_max_separation(&own, &others, &frame, &edge);
-        return {separation, edge};
-    }
     const bmr_convex32 own = RealPolygon(owner), others = RealPolygon(other);
     uint32_t edge = 0, vertex = 0;
     const float separation = bmr_convex32_max_separation(&own, &others, &frame, 0, &edge, &vertex);
@@ -172,18 +158,18 @@ bool AskEdge(const FaceGap &gap, const b2Fixture *const (&fixtures)[2], int owne
     const auto first = static_cast<uint32_t>(gap.edge), second = first + 1 == own.count ? 0 : first + 1;
     proof->kind = "remembered-edge";
     proof->owner = owner;
-    proof->normal = FromPolygon(own.normals[first]);
-    proof->edge[0] = FromPolygon(own.vertices[first]);
-    proof->edge[1] = FromPolygon(own.vertices[second]);
+    proof->normal = *Vectors(&own.normals[first]);
+    proof->edge[0] = *Vectors(&own.vertices[first]);
+    proof->edge[1] = *Vectors(&own.vertices[second]);
     const bmr_vec32 between = FrameOf(mine, theirs).p;
     const double distance = std::hypot(static_cast<double>(between.x), static_cast<double>(between.y));
-    if (distance + Extent(own) + Extent(others) < kReach)
+    if (distance + ReachOf(mine) + ReachOf(theirs) < kReach)
         proof->slack = Slack(static_cast<double>(gap.separation) - kRoundingMargin - Overhang(own, gap.edge));
     const b2Vec2 facing =
         b2MulT(theirs.GetBody()->GetTransform().q, b2Mul(mine.GetBody()->GetTransform().q, -proof->normal));
     proof->supports[owner] = proof->edge[0];
     proof->supports[1 - owner] =
-        FromPolygon(others.vertices[bmr_convex32_support(&others, *Vectors32(&facing))]);
+        *Vectors(&others.vertices[bmr_convex32_support(&others, *Vectors32(&facing))]);
     for (int i = 0; i < 2; ++i)
         proof->fixtures[i] = fixtures[i];
     return true;
@@ -193,8 +179,8 @@ bool AskRememberedEdge(const PolygonContact &contact, const b2Fixture *const (&f
     const EdgeMemory &memory = contact.state.edge;
     const int owner = memory.ofB ? 1 : 0;
     const b2Fixture &mine = *fixtures[owner], &theirs = *fixtures[1 - owner];
-    const bmr_polygon32 own = SmallPolygon(mine), others = SmallPolygon(theirs);
-    if (IsBig(mine) || IsBig(theirs) || memory.number >= own.count)
+    const bmr_polygon32 own = Polygon32(*PolygonOf(mine)), others = Polygon32(*PolygonOf(theirs));
+    if (!PolygonContact::Serves(*mine.GetShape(), *theirs.GetShape()) || memory.number >= own.count)
         return false;
     const bmr_transform32 frame = FrameOf(mine, theirs);
     return AskEdge({bmr_exact32_edge_separation(&own, memory.number, &others, &frame), memory.number},

@@ -244,10 +244,10 @@ namespace {
 /// Brings one contact up to date; false where it is to be destroyed. Counts those of awake bodies.
 inline bool Persists(b2ContactManager *manager, b2Contact *contact, uint32_t *awake) {
     b2Fixture *fixtureA = contact->GetFixtureA(), *fixtureB = contact->GetFixtureB();
-    if (SolidContact::WantsFiltering(*contact)) {
+    if (ContactAccess::WantsFiltering(*contact)) {
         if (!PassesFilters(manager, fixtureA, fixtureB))
             return false;
-        SolidContact::FilteringIsDone(contact);
+        ContactAccess::FilteringIsDone(contact);
     }
     if (!IsActive(fixtureA->GetBody()) && !IsActive(fixtureB->GetBody()))
         return true;
@@ -359,7 +359,7 @@ bool CollidePass::PassesFilter(b2Contact *contact) {
         BeforeGame();
     const bool passes = PassesFilters(m_manager, contact->GetFixtureA(), contact->GetFixtureB());
     if (passes)
-        SolidContact::FilteringIsDone(contact);
+        ContactAccess::FilteringIsDone(contact);
     if (ofGame)
         AfterGame();
     return passes;
@@ -425,7 +425,7 @@ void CollidePass::Prove(uint32_t i, b2Contact *contact) {
     m_table->SetTouching(i, contact->IsTouching());
     SolidContact *ours = SolidContact::AsOurs(contact);
     if (ours != nullptr && ours->IsOfPolygons() && !contact->IsTouching() &&
-        contact->GetManifold()->pointCount == 0 && !SolidContact::WantsFiltering(*contact))
+        contact->GetManifold()->pointCount == 0 && !ContactAccess::WantsFiltering(*contact))
         ProveApart(m_table, i, ours);
     else
         m_table->SetDue(i);
@@ -439,7 +439,7 @@ void CollidePass::Visit(uint32_t i) {
     if (!hasLine)
         m_table->Refresh(i);
     // A contact that is flagged for filtering loses its line (PairTable::Flag), and Prove gives it none.
-    if (!hasLine && SolidContact::WantsFiltering(*contact)) {
+    if (!hasLine && ContactAccess::WantsFiltering(*contact)) {
         const bool passes = PassesFilter(contact);
         if (!passes) {
             Destroy(i, contact);

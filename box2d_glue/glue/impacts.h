@@ -16,10 +16,6 @@ namespace bmr {
 class ImpactScan;
 class IslandSolver;
 
-inline bool IsBulletOrStatic(const b2Body *body) {
-    return body->IsBullet() || body->GetType() != b2_dynamicBody;
-}
-
 /// The contacts of the world's list that may have an impact, if one of their bodies is awake. The first
 /// search of the list in a step writes them down, and later ones read these: in a pile they are one in a
 /// hundred.

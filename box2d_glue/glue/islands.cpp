@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "glue/passes.h"
 
-#include <chrono>
-
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_joint.h>
+#include <box2d/b2_timer.h>
 
 #include "glue/contacts/solid_contact.h"
 #include "glue/pairs/pair_tables.h"
@@ -90,11 +89,10 @@ void IslandPass::Run() {
     if (m_table != nullptr)
         m_isLinked = m_mayLink && Link();
     SolveIslands(&profile);
-    const auto start = std::chrono::steady_clock::now();
+    const b2Timer timer;
     Synchronize();
     FindNewContacts(m_manager);
-    profile.broadphase =
-        std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count();
+    profile.broadphase = timer.GetMilliseconds();
 }
 
 void IslandPass::SolveIslands(b2Profile *profile) {

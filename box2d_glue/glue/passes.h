@@ -21,8 +21,8 @@ namespace bmr {
 class IslandSolver;
 class PairTable;
 
-/// b2World::Step, if StepIsOurs. The clock is read once between two passes; and forces are cleared of the
-/// bodies that are awake alone, where it is known that no other has any.
+/// b2World::Step, if StepIsOurs. Forces are cleared of the bodies that are awake alone, where it is known that
+/// no other has any.
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations);
 
 /// Is a step that begins ours, and with it each of its passes? It is Box2D's if the thread does not round to

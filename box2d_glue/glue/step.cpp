@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "glue/passes.h"
 
-#include <chrono>
 #include <optional>
 
 #include <box2d/b2_contact_manager.h>
 #include <box2d/b2_time_step.h>
+#include <box2d/b2_timer.h>
 #include <box2d/b2_world.h>
 
 #include "base/private_members.h"
@@ -16,27 +16,6 @@
 namespace bmr {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-float Milliseconds(Clock::time_point from, Clock::time_point to) {
-    return std::chrono::duration<float, std::milli>(to - from).count();
-}
-
-/// Takes the time of one pass after another, for b2Profile.
-class Laps {
-public:
-    float Next() {
-        const Clock::time_point last = m_last;
-        m_last = Clock::now();
-        return Milliseconds(last, m_last);
-    }
-    float Whole() const { return Milliseconds(m_first, Clock::now()); }
-
-private:
-    const Clock::time_point m_first = Clock::now();
-    Clock::time_point m_last = m_first;
-};
 
 /// One step of the thread's: its solver is taken, and RoundsToNearest need not ask.
 class StepOfThread {
@@ -96,13 +75,19 @@ bool StepIsOurs(const b2World &world) {
 
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations) {
     const StepOfThread thread;
-    Laps laps;
+    const b2Timer whole;
+    b2Timer lap; // of one pass after another
+    const auto next = [&lap] {
+        const float milliseconds = lap.GetMilliseconds();
+        lap.Reset();
+        return milliseconds;
+    };
     b2Profile &profile = world->*Named(Profile());
     auto &manager = const_cast<b2ContactManager &>(world->GetContactManager());
     if (world->*Named(NewContacts())) {
         FindNewContacts(&manager);
         world->*Named(NewContacts()) = false;
-        laps.Next();
+        next();
     }
     PairTable *const table = TableOfStep(world, &manager, seconds);
     std::optional<PairTable::Pass> pass;
@@ -119,14 +104,14 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
     step.warmStarting = world->GetWarmStarting();
 
     Collide(&manager, table);
-    profile.collide = laps.Next();
+    profile.collide = next();
     if (advances && world->*Named(StepComplete())) {
         SolveIslands(world, step, thread.Solver(), table);
-        profile.solve = laps.Next();
+        profile.solve = next();
     }
     if (advances && world->GetContinuousPhysics()) {
         SolveImpacts(world, step, thread.Solver(), table);
-        profile.solveTOI = laps.Next();
+        profile.solveTOI = next();
     }
     if (advances)
         world->*Named(InverseStep()) = step.inv_dt;
@@ -135,7 +120,7 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
     world->*Named(Locked()) = false;
     if (pass.has_value())
         pass->Complete();
-    profile.step = laps.Whole();
+    profile.step = whole.GetMilliseconds();
 }
 
 } // namespace bmr

@@ -30,13 +30,8 @@ const bmr_allocator *allocator = nullptr;
 
 /// All vertices, or as many as leave the shape room for its handle.
 Shown ShownOf(const bmr_convex32 &polygon) {
-#if defined(BMR_CONVEX_HANDLE_IN_PADDING)
-    constexpr uint32_t kMost = b2_maxPolygonVertices;
-#else
-    constexpr uint32_t kMost = b2_maxPolygonVertices - 1;
-#endif
-    Shown shown = {std::min(kMost, polygon.count), {}}; // a piece of an outline may have less
-    uint32_t inner[kMost];
+    Shown shown = {std::min<uint32_t>(kMostShown, polygon.count), {}}; // a piece of an outline may have less
+    uint32_t inner[kMostShown];
     bmr_convex32_inner(&polygon, inner, shown.count);
     for (uint32_t i = 0; i < shown.count; ++i)
         shown.vertices[i] = polygon.vertices[inner[i]];

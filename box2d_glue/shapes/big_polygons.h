@@ -47,6 +47,13 @@ struct Group {
     void (*end)(Group *group);
 };
 
+/// So many vertices at most: the handle of the real polygon must have room (boomerang/convex_shape.h).
+#if defined(BMR_CONVEX_HANDLE_IN_PADDING)
+constexpr int32 kMostShown = b2_maxPolygonVertices;
+#else
+constexpr int32 kMostShown = b2_maxPolygonVertices - 1;
+#endif
+
 /// The vertices that the shapes of a polygon show to Box2D's own code: some of the polygon's,
 /// counter-clockwise. A shape that shows others was changed in place.
 struct Shown {

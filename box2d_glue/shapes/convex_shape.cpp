@@ -23,14 +23,6 @@ namespace bmr {
 static_assert(sizeof(ConvexShape) == sizeof(b2PolygonShape), "Box2D frees sizeof(b2PolygonShape) bytes");
 static_assert(ConvexShape::kMostVertices == BMR_CONVEX32_MOST);
 
-namespace {
-
-#if !defined(BMR_CONVEX_HANDLE_IN_PADDING)
-constexpr uint32_t kInnerVertices = b2_maxPolygonVertices - 1;
-#endif
-
-} // namespace
-
 #if defined(BMR_CONVEX_HANDLE_IN_PADDING)
 uint32_t ConvexShape::GetKeptHandle() const {
     return m_handle;
@@ -41,16 +33,16 @@ void ConvexShape::SetHandle(uint32_t handle) {
 }
 #else
 uint32_t ConvexShape::GetKeptHandle() const {
-    if (m_count > static_cast<int32>(kInnerVertices))
+    if (m_count > registry::kMostShown)
         return 0;
     uint32_t handle;
-    std::memcpy(&handle, &m_normals[kInnerVertices], sizeof handle);
+    std::memcpy(&handle, &m_normals[registry::kMostShown], sizeof handle);
     return handle;
 }
 
 void ConvexShape::SetHandle(uint32_t handle) {
-    if (m_count <= static_cast<int32>(kInnerVertices)) // a stock octagon has a normal there
-        std::memcpy(static_cast<void *>(&m_normals[kInnerVertices]), &handle, sizeof handle);
+    if (m_count <= registry::kMostShown) // a stock octagon has a normal there
+        std::memcpy(static_cast<void *>(&m_normals[registry::kMostShown]), &handle, sizeof handle);
 }
 #endif
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "solver/island_solver.h"
 
-#include <chrono>
 #include <cmath>
+#include <optional>
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_joint.h>
+#include <box2d/b2_timer.h>
 #include <box2d/b2_world_callbacks.h>
 
 #include "base/private_members.h"
@@ -16,25 +17,6 @@
 namespace bmr {
 
 namespace {
-
-/// Reads the clock for b2Profile. An island that has neither contacts nor joints is not timed: it is solved
-/// faster than the clock is read.
-class Timer {
-public:
-    explicit Timer(bool runs) : m_runs(runs) {
-        if (m_runs)
-            m_start = std::chrono::steady_clock::now();
-    }
-    float GetMilliseconds() const {
-        return m_runs ? std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - m_start)
-                            .count()
-                      : 0.0f;
-    }
-
-private:
-    bool m_runs;
-    std::chrono::steady_clock::time_point m_start;
-};
 
 /// How far a body goes in a step: no farther than Box2D lets it.
 void Integrate(float h, b2Position *position, b2Velocity *velocity) {
@@ -172,13 +154,17 @@ bool IslandSolver::SolveTogether(Island *islands, uint32_t count) {
     all.endContact = last.endContact;
     all.endJoint = last.endJoint;
     const bool isBound = all.firstContact < all.endContact || all.firstJoint < all.endJoint;
-    const Timer timer(isBound);
+    // An island that has neither contacts nor joints is not timed: it is solved faster than the clock is read.
+    std::optional<b2Timer> timer;
+    if (isBound)
+        timer.emplace();
+    const auto milliseconds = [&timer] { return timer.has_value() ? timer->GetMilliseconds() : 0.0f; };
     Prepare(all);
-    const float initialized = timer.GetMilliseconds();
+    const float initialized = milliseconds();
     if (isBound)
         SolveVelocities(all);
     IntegratePositions(all);
-    const float solved = timer.GetMilliseconds();
+    const float solved = milliseconds();
     if (isBound)
         SolvePositions(islands, count);
     else
@@ -194,7 +180,7 @@ bool IslandSolver::SolveTogether(Island *islands, uint32_t count) {
     }
     m_profile.solveInit += initialized;
     m_profile.solveVelocity += solved - initialized;
-    m_profile.solvePosition += timer.GetMilliseconds() - solved;
+    m_profile.solvePosition += milliseconds() - solved;
     Report(all);
     for (uint32_t i = 0; i < count && m_allowSleep; ++i)
         Sleep(islands[i]);

@@ -2,21 +2,80 @@
 #ifndef BOOMERANG_TREE_EDIT_H
 #define BOOMERANG_TREE_EDIT_H
 
-#include <cmath>
 #include <initializer_list>
 #include <utility>
 
+#include <box2d/b2_dynamic_tree.h>
+
 #include "base/compiler.h"
 #include "base/private_members.h"
-#include "tree/box.h"
+#include "exact32/float4.h"
 
 class b2Body;
 
 /// @file
 /// A leaf of a b2DynamicTree is moved as Box2D does it: every field of every node and the tree's own members
 /// are left with the same bits.
+///
+/// Boxes of nodes are in lanes. Operations and operands are Box2D's, also where a number is none: b2Min(a, b)
+/// is `a < b ? a : b`, and so are lanes.
 
 namespace bmr::tree {
+
+/// Perimeters of two boxes, and those of the boxes around each of the two and a leaf's box.
+struct Perimeters {
+    float first, second, aroundFirst, aroundSecond;
+};
+
+/// Lower x, lower y, upper x, upper y.
+using Box = float4;
+
+inline Box BoxOf(const b2AABB &aabb) {
+    return load4(&aabb.lowerBound.x);
+}
+
+/// b2TestOverlap, by the same differences.
+inline bool Overlap(Box a, Box b) {
+    const float4 lower = lows4(b, a), upper = highs4(a, b); // of b and a; of a and b
+    return !any4(less4(zero4(), sub4(lower, upper)));
+}
+
+inline Box Around(Box a, Box b) {
+    return low_high4(min4(a, b), max4(a, b));
+}
+
+inline bool HasNumbers(Box a) {
+    return !any4(unordered4(a, a));
+}
+
+inline void StoreBox(b2AABB *aabb, Box box) {
+    store4(&aabb->lowerBound.x, box);
+}
+
+/// A leaf's box, held against others.
+class LeafBox {
+public:
+    explicit LeafBox(Box box) : m_lower(lows4(box, box)), m_upper(highs4(box, box)) {}
+
+    /// Of the boxes that b2AABB::Combine(leaf, box) makes, by b2AABB::GetPerimeter.
+    Perimeters With(Box first, Box second) const {
+        const float4 lower = lows4(first, second), upper = highs4(first, second);
+        const float4 sizes = sub4(upper, lower);
+        const float4 around = sub4(max4(m_upper, upper), min4(m_lower, lower));
+        const float4 half = add4(evens4(sizes, around), odds4(sizes, around));
+        float perimeters[4];
+        store4(perimeters, add4(half, half));
+        return {perimeters[0], perimeters[1], perimeters[2], perimeters[3]};
+    }
+
+private:
+    float4 m_lower, m_upper; ///< x, y, x, y
+};
+
+/// Asks for a node's memory ahead of its use. There need be no such node: then for the first.
+inline void PrefetchNode(const b2TreeNode *nodes, int32 id) {
+    BMR_PREFETCH(nodes + b2Max(id, 0));
+}
 
 /// A node on the way down, the perimeter of its box, and that of the box around it and the leaf.
 ///
@@ -62,7 +121,7 @@ public:
 
     /// The rest of b2DynamicTree::MoveProxy of a leaf that is in the tree; `fat` is finite. Box2D frees the
     /// leaf's parent, and the first free node, which is that one, becomes its parent again.
-    void Move(int32 leaf, const b2AABB &fat) {
+    BMR_NOINLINE void Move(int32 leaf, const b2AABB &fat) {
         b2TreeNode &node = m_nodes[leaf];
         node.aabb = fat;
         node.moved = true;
@@ -199,23 +258,13 @@ private:
 
 // b2DynamicTree::MoveProxy: the same tree by the same arithmetic, with boxes in registers and without a call
 // for each node that is balanced. Box2D's own function is to be asked for ids that are none of a leaf in the
-// tree, on which it asserts, and for boxes that are not finite. Rounding is to nearest, as Box2D's.
-
-inline bool IsFinite(const b2AABB &box) {
-    return std::isfinite(box.lowerBound.x) && std::isfinite(box.lowerBound.y) &&
-           std::isfinite(box.upperBound.x) && std::isfinite(box.upperBound.y);
-}
+// tree, on which it asserts, and for boxes that are not valid. Rounding is to nearest, as Box2D's.
 
 inline b2AABB Larger(const b2AABB &aabb, const b2Vec2 &margin) {
     b2AABB larger;
     larger.lowerBound = aabb.lowerBound - margin;
     larger.upperBound = aabb.upperBound + margin;
     return larger;
-}
-
-/// The box of a new leaf.
-inline b2AABB Fat(const b2AABB &aabb) {
-    return Larger(aabb, b2Vec2(b2_aabbExtension, b2_aabbExtension));
 }
 
 /// Along one axis a box is made longer by what the displacement foretells.
@@ -233,21 +282,18 @@ inline bool Stays(const b2AABB &leaf, const b2AABB &aabb, const b2AABB &fat) {
            Larger(fat, 4.0f * b2Vec2(b2_aabbExtension, b2_aabbExtension)).Contains(leaf);
 }
 
-BMR_NOINLINE inline void MoveLeaf(b2DynamicTree *tree, int32 id, const b2AABB &fat) {
-    TreeEdit(tree).Move(id, fat);
-}
-
 /// Says whether it did it. If it did not, nothing was written.
 inline bool MoveHere(b2DynamicTree *tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement,
                      bool *moved) {
-    b2AABB fat = Fat(aabb);
+    b2AABB fat = Larger(aabb, b2Vec2(b2_aabbExtension, b2_aabbExtension));
     Foretell(displacement.x, &fat.lowerBound.x, &fat.upperBound.x);
     Foretell(displacement.y, &fat.lowerBound.y, &fat.upperBound.y);
-    if (!IsFinite(fat) || !TreeEdit(tree).HasLeaf(id))
+    TreeEdit edit(tree);
+    if (!fat.IsValid() || !edit.HasLeaf(id))
         return false;
     *moved = !Stays((tree->*Named(TreeNodes()))[id].aabb, aabb, fat);
     if (*moved) // most stay, and need no edit
-        MoveLeaf(tree, id, fat);
+        edit.Move(id, fat);
     return true;
 }
 

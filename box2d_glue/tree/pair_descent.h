@@ -8,7 +8,7 @@
 
 #include "base/columns.h"
 #include "base/private_members.h"
-#include "tree/box.h"
+#include "tree/edit.h"
 
 /// @file
 /// Which leaves of the tree overlap proxies that were moved, in the order in which Box2D finds them.

@@ -121,7 +121,7 @@ void NoteFiltering(const b2Body *body) {
     if (table == nullptr)
         return;
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next)
-        if (SolidContact::WantsFiltering(*edge->contact))
+        if (ContactAccess::WantsFiltering(*edge->contact))
             table->Flag(edge->contact);
 }
 

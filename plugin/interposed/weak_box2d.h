@@ -42,6 +42,8 @@
     FUNCTION(_ZN6b2Body14DestroyFixtureEP9b2Fixture) \
     FUNCTION(_ZN6b2Body13ResetMassDataEv) \
     FUNCTION(_ZN6b2Body19SynchronizeFixturesEv) \
+    FUNCTION(_ZN7b2Timer5ResetEv) \
+    FUNCTION(_ZN7b2TimerC1Ev) \
     FUNCTION(_ZN7b2World10CreateBodyEPK9b2BodyDef) \
     FUNCTION(_ZN7b2World11DestroyBodyEP6b2Body) \
     FUNCTION(_ZN7b2WorldC1ERK6b2Vec2) \
@@ -52,6 +54,7 @@
     FUNCTION(_ZN9b2ContactC2EP9b2FixtureiS1_i) \
     FUNCTION(_ZN9b2Contact6UpdateEP17b2ContactListener) \
     FUNCTION(_ZNK6b2Body13ShouldCollideEPKS_) \
+    FUNCTION(_ZNK7b2Timer15GetMillisecondsEv) \
     FUNCTION(_ZNK7b2World13GetProxyCountEv) \
     DATA(_ZN9b2Contact11s_registersE, sizeof(b2ContactRegister) * b2Shape::e_typeCount * b2Shape::e_typeCount) \
     DATA(_ZN9b2Contact13s_initializedE, sizeof(bool)) \

@@ -47,10 +47,6 @@ bmr_edge32 EdgeOf(const b2Fixture *fixture, int32 child) {
                : Edge32(LinkOf(*fixture, child));
 }
 
-float TwoFixtures::RadiusSum() const {
-    return a->GetShape()->m_radius + b->GetShape()->m_radius;
-}
-
 /// Which it is is decided by what the fixtures are, and by no more: their shapes may be changed in place.
 void CollideConvex(const TwoFixtures &two, Seams seams, b2Manifold *manifold, const b2Transform &xfA,
                    const b2Transform &xfB, bmr_convex32_memory *memory) {
@@ -75,22 +71,20 @@ void CollideConvex(const TwoFixtures &two, Seams seams, b2Manifold *manifold, co
     bmr_convex32_collide(made, &a, Transform32(xfA), &b, Transform32(xfB), radii, kTolerance, memory);
 }
 
+double ReachOf(const b2Fixture &fixture) {
+    if (const bmr_convex32_block *big = BigPolygonOf(*fixture.GetShape()))
+        return static_cast<double>(big->reach);
+    const b2PolygonShape &small = *PolygonOf(fixture);
+    return static_cast<double>(
+        bmr_proxy32_points(Vectors32(small.m_vertices), static_cast<uint32_t>(small.m_count), 0.0f).reach);
+}
+
 namespace {
 
 /// A point that the last manifold did not have goes on with the impulse of the nearest one it had, however
 /// far: that of a polygon that rolls over a corner is two edges off, and a pile whose contacts begin anew
 /// with every edge sinks into itself.
 constexpr float kFeatureDistance = 1e9f; // beyond every polygon
-
-/// No vertex of the polygon is farther from the body's origin.
-double ReachOf(const b2Fixture *fixture) {
-    const b2Shape &shape = *fixture->GetShape();
-    if (const bmr_convex32_block *big = BigPolygonOf(shape))
-        return static_cast<double>(big->reach);
-    const auto &small = static_cast<const b2PolygonShape &>(shape);
-    return static_cast<double>(
-        bmr_proxy32_points(Vectors32(small.m_vertices), static_cast<uint32_t>(small.m_count), 0.0f).reach);
-}
 
 /// Are the disks around the bodies' origins that hold the two polygons farther apart than this? Coins are
 /// known apart by that nearly always, and it is a tenth of the search's work.
@@ -160,7 +154,7 @@ inline Answer ConvexContact::SearchApart(const b2Transform &xfA, const b2Transfo
     const float margin = Margin();
     if (DisksSayApart(m_fixtureA, xfA, m_fixtureB, xfB, margin))
         return Answer::ApartByEdge;
-    if (!WithinReach(xfA, ReachOf(m_fixtureA)) || !WithinReach(xfB, ReachOf(m_fixtureB)))
+    if (!WithinReach(xfA, ReachOf(*m_fixtureA)) || !WithinReach(xfB, ReachOf(*m_fixtureB)))
         return Answer::HandedOver;
     const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
     const bmr_convex32_memory before = state.closest;
@@ -184,7 +178,7 @@ ProofResult ConvexContact::ResultOf(Answer answer, bool points, const b2Transfor
     // The two were taken for touching, and do not touch: no proof was looked for.
     const bmr_convex32 a = RealPolygon(*m_fixtureA), b = RealPolygon(*m_fixtureB);
     bmr_convex32_memory memory = state.closest;
-    return WithinReach(xfA, ReachOf(m_fixtureA)) && WithinReach(xfB, ReachOf(m_fixtureB)) &&
+    return WithinReach(xfA, ReachOf(*m_fixtureA)) && WithinReach(xfB, ReachOf(*m_fixtureB)) &&
                    bmr_convex32_apart(&a, Transform32(xfA), &b, Transform32(xfB), Margin(), &memory)
                ? ProofResult::Another
                : ProofResult::Nothing;

@@ -2,9 +2,6 @@
 #ifndef BOOMERANG_GLUE_CONVEX_CONTACT_H
 #define BOOMERANG_GLUE_CONVEX_CONTACT_H
 
-#include <algorithm>
-#include <cmath>
-
 #include <box2d/b2_collision.h>
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
@@ -19,32 +16,18 @@ class b2Fixture;
 
 namespace bmr {
 
-/// A polygon shape as it really is: all vertices of a big ConvexShape, Box2D's own arrays of any other. Good
-/// as long as the shape is.
-inline bmr_convex32 RealPolygon(const b2PolygonShape &shape) {
+/// The polygon of a fixture as it really is: all vertices of a big ConvexShape, Box2D's own arrays of any
+/// other. Good as long as the shape is.
+inline bmr_convex32 RealPolygon(const b2Fixture &fixture) {
+    const auto &shape = static_cast<const b2PolygonShape &>(*fixture.GetShape());
     if (const bmr_convex32_block *big = BigPolygonOf(shape))
         return big->polygon;
     const bmr_polygon32 small = Polygon32(shape);
     return bmr_convex32_small(&small);
 }
 
-// Of a polygon fixture.
-inline bmr_convex32 RealPolygon(const b2Fixture &fixture) {
-    return RealPolygon(static_cast<const b2PolygonShape &>(*fixture.GetShape()));
-}
-
-inline bool IsBig(const b2Fixture &fixture) {
-    return BigPolygonOf(*fixture.GetShape()) != nullptr;
-}
-
-/// The largest distance of a vertex from the body's origin. O(vertices).
-inline double Extent(const bmr_convex32 &polygon) {
-    double most = 0.0;
-    for (uint32_t i = 0; i < polygon.count; ++i)
-        most = std::max(most, std::hypot(static_cast<double>(polygon.vertices[i].x),
-                                         static_cast<double>(polygon.vertices[i].y)));
-    return most;
-}
+/// No vertex of a fixture's polygon is farther from the body's origin.
+double ReachOf(const b2Fixture &fixture);
 
 /// Two fixtures in the order of a contact's: `a` is the polygon against a circle, and the edge or the chain
 /// against a polygon.
@@ -52,7 +35,7 @@ struct TwoFixtures {
     const b2Fixture *a, *b;
     int32 childA;
 
-    float RadiusSum() const;
+    float RadiusSum() const { return a->GetShape()->m_radius + b->GetShape()->m_radius; }
 };
 
 /// An edge, or a link of a chain; and the same for core.

@@ -20,6 +20,7 @@
 #include "boomerang/box2d_glue.h"
 #include "convex32/convex32_collide.h"
 #include "debug/statistics.h"
+#include "glue/pairs/bodies.h"
 #include "glue/proofs/overlap.h"
 #include "start/install.h"
 
@@ -118,12 +119,6 @@ public:
         return AsOurs(const_cast<b2Contact *>(contact));
     }
 
-    // b2ContactManager may do this with any contact. Our code in its place needs these functions.
-    static bool WantsFiltering(const b2Contact &contact) { return (FlagsOf(contact) & e_filterFlag) != 0; }
-    static void FilteringIsDone(b2Contact *contact) {
-        contact->*(&SolidContact::m_flags) &= ~uint32{e_filterFlag};
-    }
-
     /// Are both shapes polygons, of any size?
     bool IsOfPolygons() const {
         return m_fixtureA->GetType() == b2Shape::e_polygon && m_fixtureB->GetType() == b2Shape::e_polygon;
@@ -161,9 +156,6 @@ protected:
     /// Evaluate was called: not by a pass of ours, but by Box2D or by the game. The contact's pair in the
     /// table is due.
     void NoteOtherCaller() const;
-
-private:
-    static uint32 FlagsOf(const b2Contact &contact) { return contact.*(&SolidContact::m_flags); }
 };
 
 /// Box2D's polygon contact with a separation proof in front. Its results are those of stock's to the bit.
@@ -278,10 +270,6 @@ inline bool PassesFilters(const b2ContactManager *manager, b2Fixture *fixtureA, 
         (manager->m_contactFilter == nullptr || manager->m_contactFilter->ShouldCollide(fixtureA, fixtureB));
     AskRoundingAgain();
     return passes;
-}
-
-inline bool IsActive(const b2Body *body) {
-    return body->IsAwake() && body->GetType() != b2_staticBody;
 }
 
 /// Do the fat boxes of the two still overlap?

@@ -12,6 +12,14 @@
 
 namespace bmr {
 
+inline bool IsActive(const b2Body *body) {
+    return body->IsAwake() && body->GetType() != b2_staticBody;
+}
+/// Nothing is to tunnel through it.
+inline bool IsBulletOrStatic(const b2Body *body) {
+    return body->IsBullet() || body->GetType() != b2_dynamicBody;
+}
+
 /// All bodies of a world, the oldest first: Box2D's list backwards, in one piece of memory, so that one sweep
 /// finds who is awake. Box2D walks over its list four times a step, asleep or not.
 class Bodies {
@@ -78,7 +86,7 @@ inline bool Bodies::FindAwake(b2Body *newest, int32 count) {
         next = body->GetNext();
         if (BodyInIsland::Is(body))
             BodyInIsland::Clear(body);
-        if (!body->IsAwake() || body->GetType() == b2_staticBody)
+        if (!IsActive(body))
             continue;
         if (m_awakeCount == most) {
             m_waits = kStepsToWait;

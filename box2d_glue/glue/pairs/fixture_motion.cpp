@@ -54,11 +54,10 @@ int32 ProxyOf(const b2Fixture *fixture) {
 
 /// kActive, kBulletOrStatic and kIsSensor as they are now.
 uint8_t FlagsOf(const FixtureMotion &motion) {
-    const b2Body &body = *motion.body;
     uint8_t bits = 0;
-    if (body.IsAwake() && body.GetType() != b2_staticBody)
+    if (IsActive(motion.body))
         bits |= kActive;
-    if (body.IsBullet() || body.GetType() != b2_dynamicBody)
+    if (IsBulletOrStatic(motion.body))
         bits |= kBulletOrStatic;
     if (motion.fixture->IsSensor())
         bits |= kIsSensor;

@@ -12,6 +12,7 @@
 #include "base/columns.h"
 #include "base/compiler.h"
 #include "boomerang/budget.h"
+#include "glue/pairs/bodies.h"
 #include "glue/proofs/thresholds.h"
 
 namespace bmr {
@@ -145,10 +146,7 @@ public:
     void PassOver(uint32_t row) { m_bits[row] &= static_cast<uint8_t>(~kUpdated); }
     bool IsActive(uint32_t row) const { return (m_bits[row] & kActive) != 0; }
     /// Is its body awake by now? (A step's own code and listeners wake bodies.)
-    bool IsActiveNow(uint32_t row) const {
-        const b2Body *body = m_rows[row].body;
-        return body->IsAwake() && body->GetType() != b2_staticBody;
-    }
+    bool IsActiveNow(uint32_t row) const { return bmr::IsActive(m_rows[row].body); }
     /// Ahead of an update: asks memory for the body and the fixture; and, for a row that this was done for
     /// some rows ago, for the shape.
     void Prefetch(uint32_t row) const {
