@@ -57,11 +57,10 @@ void FillDirection(const TwoHulls &hulls, const bmr_pair &kinetic, Proof *proof)
     proof->kind = "direction";
     const b2Vec2 facing = hulls.other.Body()->GetLocalVector(
         hulls.own.Body()->GetWorldVector(-FromCertificate(kinetic.certificate.normal)));
-    const bmr_vec2 way = {static_cast<double>(facing.x), static_cast<double>(facing.y)};
     const bmr_polygon &own = *hulls.own.Shape().polygon, &other = *hulls.other.Shape().polygon;
     proof->supports[hulls.sides[0]] = Float(own.vertices[kinetic.edge]);
     proof->supports[hulls.sides[1]] =
-        Float(other.vertices[bmr_polygon_support_from(&other, way, kinetic.other)]);
+        Float(other.vertices[bmr_polygon_support_from(&other, Double(facing), kinetic.other)]);
 }
 
 void FillEdgeLine(const TwoHulls &hulls, const bmr_pair &kinetic, Proof *proof) {

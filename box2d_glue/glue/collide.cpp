@@ -51,24 +51,19 @@ struct Placed {
             const uint32_t at = bmr_convex32_support(
                 &big->polygon, {static_cast<float>(local.x), static_cast<float>(local.y)});
             *slack += reach * 0x1p-20;
-            return bmr_transform(&pose, Vertex(big->polygon.vertices[at]));
+            return bmr_transform(&pose, Double(big->polygon.vertices[at]));
         }
         const bmr_vec32 *const vertices = Vectors32(shape->m_vertices);
         int32 best = 0;
-        double most = bmr_dot(local, Vertex(vertices[0]));
+        double most = bmr_dot(local, Double(vertices[0]));
         for (int32 i = 1; i < shape->m_count; ++i) {
-            const double along = bmr_dot(local, Vertex(vertices[i]));
+            const double along = bmr_dot(local, Double(vertices[i]));
             if (along > most) {
                 most = along;
                 best = i;
             }
         }
-        return bmr_transform(&pose, Vertex(vertices[best]));
-    }
-
-private:
-    static bmr_vec2 Vertex(const bmr_vec32 &v) {
-        return {static_cast<double>(v.x), static_cast<double>(v.y)};
+        return bmr_transform(&pose, Double(vertices[best]));
     }
 };
 

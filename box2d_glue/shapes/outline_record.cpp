@@ -12,6 +12,7 @@
 
 #include "convex32/convex32_pieces.h"
 #include "shapes/big_polygons.h"
+#include "shapes/shapes32.h"
 
 namespace bmr {
 
@@ -30,10 +31,6 @@ void End(registry::Group *group) {
     const size_t bytes = BytesOf(record->pieceCount);
     record->~OutlineRecord();
     bmr_release(allocator, record, bytes);
-}
-
-bmr_vec2 CentreOf(const bmr_mass32 &mass) {
-    return {static_cast<double>(mass.centroid.x), static_cast<double>(mass.centroid.y)};
 }
 
 /// From pieces as they were cut to polygons of floats.
@@ -212,7 +209,7 @@ void Builder::ShareMass(OutlineRecord *record) {
     ForEachMass([&](const bmr_mass32 &mass) {
         const double a = static_cast<double>(mass.area);
         area += a;
-        moment = bmr_add(moment, bmr_scale(a, CentreOf(mass)));
+        moment = bmr_add(moment, bmr_scale(a, Double(mass.centroid)));
     });
     const uint32_t count = FindBalance(area, record);
     const bmr_vec2 centre = bmr_scale(1.0 / area, moment);
@@ -220,7 +217,7 @@ void Builder::ShareMass(OutlineRecord *record) {
     // Of the shares about the outline's centre, as long as they are not scaled.
     double spread = 0.0, own = 0.0;
     ForEachMass([&](const bmr_mass32 &mass) {
-        const bmr_vec2 away = bmr_sub(CentreOf(mass), centre);
+        const bmr_vec2 away = bmr_sub(Double(mass.centroid), centre);
         spread += share * static_cast<double>(mass.area) * bmr_dot(away, away);
         own += share * static_cast<double>(mass.inertia);
     });
@@ -232,7 +229,7 @@ void Builder::ShareMass(OutlineRecord *record) {
     const double balance = held && count > 1 ? 0.5 * (record->inertia - part * ofCentre) : 0.0;
     uint32_t number = 0;
     const auto leastOwn = [&](const bmr_mass32 &mass) {
-        const bmr_vec2 at = bmr_add(record->centroid, bmr_sub(CentreOf(mass), centre));
+        const bmr_vec2 at = bmr_add(record->centroid, bmr_sub(Double(mass.centroid), centre));
         const double least = part * share * static_cast<double>(mass.area) * bmr_dot(at, at);
         return number++ % count == record->balance ? least + std::min(balance, kSafeInertia * ofCentre)
                                                    : least;
@@ -247,7 +244,7 @@ void Builder::ShareMass(OutlineRecord *record) {
     double shared = 0.0;
     ForEachMass([&](bmr_mass32 &mass) {
         const double least = leastOwn(mass);
-        const bmr_vec2 moved = bmr_add(record->centroid, bmr_scale(scale, bmr_sub(CentreOf(mass), centre)));
+        const bmr_vec2 moved = bmr_add(record->centroid, bmr_scale(scale, bmr_sub(Double(mass.centroid), centre)));
         mass.inertia =
             static_cast<float>(std::max(square * share * static_cast<double>(mass.inertia), least));
         mass.area = static_cast<float>(share * static_cast<double>(mass.area));
@@ -330,16 +327,12 @@ bool EntersOutline(registry::Handle piece, bmr_vec32 p1, bmr_vec32 p2, uint32_t 
 
 namespace {
 
-double Square(const b2Vec2 &v) {
-    const double x = static_cast<double>(v.x), y = static_cast<double>(v.y);
-    return x * x + y * y;
-}
-
 /// As it is, rounded once.
 b2MassData ShareOf(registry::Handle piece, float density) {
     const bmr_mass32 &share = registry::BlockOf(piece).mass;
     b2MassData m = {density * share.area, b2Vec2(share.centroid.x, share.centroid.y), 0.0f};
-    m.I = static_cast<float>(static_cast<double>(m.mass) * Square(m.center) +
+    const bmr_vec2 centre = Double(m.center);
+    m.I = static_cast<float>(static_cast<double>(m.mass) * bmr_dot(centre, centre) +
                              static_cast<double>(density) * static_cast<double>(share.inertia));
     return m;
 }
@@ -371,13 +364,13 @@ struct Whole {
             const double density = static_cast<double>(fixture.GetDensity()),
                          part = record != nullptr ? record->ownPart : 1.0;
             return Add(density * static_cast<double>(share.area),
-                       {static_cast<double>(share.centroid.x), static_cast<double>(share.centroid.y)},
+                       Double(share.centroid),
                        part * density * static_cast<double>(share.inertia));
         }
         Weighing alone;
         alone.Add(said);
         Add(static_cast<double>(said.mass),
-            {static_cast<double>(said.center.x), static_cast<double>(said.center.y)},
+            Double(said.center),
             static_cast<double>(said.I) - static_cast<double>(alone.OfCentre()));
     }
     double OfCentre() const { return bmr_dot(moment, moment) / mass; }

@@ -47,11 +47,15 @@ inline const b2PolygonShape *PolygonOf(const b2Fixture &fixture) {
                                                    : nullptr;
 }
 
-/// In double, as core's structures have it.
+// In double, as core's structures have it.
+inline bmr_vec2 Double(const b2Vec2 &v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+inline bmr_vec2 Double(const bmr_vec32 &v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
 inline bmr_pose PoseOf(const b2Transform &xf) {
-    return {{static_cast<double>(xf.p.x), static_cast<double>(xf.p.y)},
-            static_cast<double>(xf.q.c),
-            static_cast<double>(xf.q.s)};
+    return {Double(xf.p), static_cast<double>(xf.q.c), static_cast<double>(xf.q.s)};
 }
 
 inline bmr_polygon32 Polygon32(const b2PolygonShape &shape) {

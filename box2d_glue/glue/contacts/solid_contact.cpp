@@ -95,8 +95,7 @@ PairTable *PairTableOf(const b2Contact &contact) {
 bool SolidContact::HullsSayApart(const b2Transform &xfA, const b2Transform &xfB) const {
     PairTable *const table = PairTableOf(*this);
     const uint32_t number = table != nullptr ? table->NumberOf(this) : PairTable::kNone;
-    return number != PairTable::kNone &&
-           table->hullPairs.SayApart(number, *this, xfA, xfB, table->deferred.GameRan() ? 0 : table->Stamp());
+    return number != PairTable::kNone && table->hullPairs.SayApart(number, *this, xfA, xfB);
 }
 
 bmr_vec2 SolidContact::GuessDirection() const {
@@ -216,8 +215,7 @@ bmr_vec2 PolygonContact::KnownDirection() const {
         return {0.0, 0.0};
     const b2Vec2 normal =
         b2Mul(owner->GetBody()->GetTransform().q, PolygonShapeOf(owner).m_normals[memory.number]);
-    const bmr_vec2 d = {static_cast<double>(normal.x), static_cast<double>(normal.y)};
-    return ofB ? bmr_neg(d) : d;
+    return Double(ofB ? -normal : normal);
 }
 
 // An edge or a link of a chain, and a polygon.

@@ -17,10 +17,6 @@ namespace bmr {
 
 namespace {
 
-bmr_vec2 Double(const b2Vec2 &v) {
-    return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
-
 uint64_t KeyOf(const b2Fixture *fixture) {
     return static_cast<uint64_t>(reinterpret_cast<uintptr_t>(fixture));
 }

@@ -25,13 +25,11 @@ namespace {
 void AddVertices(const b2PolygonShape &polygon, HullVector<bmr_vec2> *points) {
     if (const bmr_convex32_block *big = BigPolygonOf(polygon)) {
         for (uint32_t i = 0; i < big->polygon.count; ++i)
-            points->push_back({static_cast<double>(big->polygon.vertices[i].x),
-                               static_cast<double>(big->polygon.vertices[i].y)});
+            points->push_back(Double(big->polygon.vertices[i]));
         return;
     }
     for (int32 i = 0; i < polygon.m_count; ++i)
-        points->push_back(
-            {static_cast<double>(polygon.m_vertices[i].x), static_cast<double>(polygon.m_vertices[i].y)});
+        points->push_back(Double(polygon.m_vertices[i]));
 }
 
 /// nullptr where the structure needs none, or where the hull has too many vertices for the compass.
@@ -96,7 +94,6 @@ void Hull::Forget() {
     m_members.clear();
     m_reach = 0.0;
     m_radius = 0.0f;
-    m_held = nullptr;
     ++m_version;
 }
 
@@ -115,19 +112,13 @@ bool Hull::Holds(const b2Fixture &fixture) const {
            member->digest == DigestOf(*PolygonOf(fixture));
 }
 
-bool Hull::MakeHold(const b2Fixture &fixture, uint64_t stamp) {
-    if (m_held == &fixture && m_heldAt == stamp && stamp != 0)
-        return true;
+bool Hull::MakeHold(const b2Fixture &fixture) {
     // (Where none could be built, trying again for every contact would cost more than it could save.)
     if (m_shape.polygon == nullptr)
         return false;
     if (!Holds(fixture))
         Build();
-    if (m_shape.polygon == nullptr || !Holds(fixture))
-        return false;
-    m_held = &fixture;
-    m_heldAt = stamp;
-    return true;
+    return m_shape.polygon != nullptr && Holds(fixture);
 }
 
 namespace {
@@ -152,17 +143,11 @@ bool IsWithinReach(const HullPair &pair, const b2Transform &poseA, const b2Trans
     return WithinReach(poseA, pair.a->Reach()) && WithinReach(poseB, pair.b->Reach());
 }
 
-bmr_answer Advance(HullPair *pair, const bmr_pose &relative, bool sameHulls) {
+bmr_answer Advance(HullPair *pair, const bmr_pose &relative) {
     const bmr_pair_def def = DefOf(*pair);
     const bmr_shape &a = pair->a->Shape(), &b = pair->b->Shape();
-    if (!GetSettings().options.statistics) {
-        // A certificate of these very hulls is checked without reading them.
-        double gap;
-        if (sameHulls && bmr_pair_takes(&relative) &&
-            bmr_pair_check(&pair->kinetic, &relative, def.margin, &gap))
-            return BMR_APART;
+    if (!GetSettings().options.statistics)
         return bmr_pair_advance(&pair->kinetic, &def, &a, &b, &relative, nullptr, nullptr);
-    }
     bmr_counters counters = {};
     const bmr_observer observer = {&counters, OnEvent, pair};
     const bmr_answer answer = bmr_pair_advance(&pair->kinetic, &def, &a, &b, &relative, &observer, nullptr);
@@ -186,7 +171,7 @@ bool KnownApart(HullPair *pair, const b2Transform &poseA, const b2Transform &pos
     if (!sameHulls) // also where the pair is out of reach: the next question finds these versions
         bmr_pair_init(&pair->kinetic);
     pair->apart =
-        IsWithinReach(*pair, poseA, poseB) && Advance(pair, Relative(poseA, poseB), sameHulls) == BMR_APART;
+        IsWithinReach(*pair, poseA, poseB) && Advance(pair, Relative(poseA, poseB)) == BMR_APART;
     pair->poseA = poseA;
     pair->poseB = poseB;
     pair->versionA = pair->a->Version();
@@ -225,14 +210,13 @@ HullPair *HullPairs::PairOf(const b2Contact &contact) {
 }
 
 bool HullPairs::SayApart(uint32_t number, const b2Contact &contact, const b2Transform &xfA,
-                         const b2Transform &xfB, uint64_t stamp) {
+                         const b2Transform &xfB) {
     if (m_ofContacts[number] == nullptr)
         m_ofContacts[number] = PairOf(contact);
     HullPair *const pair = m_ofContacts[number];
     const bool swapped = pair->IsSwapped(contact);
     const b2Fixture &first = *contact.GetFixtureA(), &second = *contact.GetFixtureB();
-    return pair->a->MakeHold(swapped ? second : first, stamp) &&
-           pair->b->MakeHold(swapped ? first : second, stamp) &&
+    return pair->a->MakeHold(swapped ? second : first) && pair->b->MakeHold(swapped ? first : second) &&
            KnownApart(pair, swapped ? xfB : xfA, swapped ? xfA : xfB);
 }
 

@@ -35,9 +35,8 @@ public:
 
     /// Makes the hull hold this polygon fixture as it is now, which is no sensor, by building it anew if need
     /// be. (Vertices may be changed in place, and Box2D reuses addresses of fixtures.) False if it does not:
-    /// of some polygons no hull is built. About 10 ns if it did before, less if that was at the same stamp:
-    /// nothing has changed since then. 0 is no stamp.
-    bool MakeHold(const b2Fixture &fixture, uint64_t stamp);
+    /// of some polygons no hull is built. About 10 ns if it did before.
+    bool MakeHold(const b2Fixture &fixture);
 
     const b2Body *Body() const { return m_body; }
     const b2Fixture *Fixture() const { return m_fixture; }
@@ -66,9 +65,7 @@ private:
     double m_reach = 0.0;
     float m_radius = 0.0f;
     uint32_t m_version = 0;
-    HullVector<Member> m_members;      ///< by address
-    const b2Fixture *m_held = nullptr; ///< seen to be held, at this stamp
-    uint64_t m_heldAt = 0;
+    HullVector<Member> m_members; ///< by address
 };
 
 /// A compass has directions for hulls of up to so many vertices. Larger ones work as a free direction, which
@@ -108,8 +105,7 @@ public:
     void Clear();
 
     /// KnownApart of the structure of the contact's bodies, which is made if need be. For two solid polygons.
-    bool SayApart(uint32_t number, const b2Contact &contact, const b2Transform &xfA, const b2Transform &xfB,
-                  uint64_t stamp);
+    bool SayApart(uint32_t number, const b2Contact &contact, const b2Transform &xfA, const b2Transform &xfB);
     /// The structure that the contact asked, or nullptr.
     const HullPair *Find(uint32_t number) const {
         return number < m_ofContacts.size() ? m_ofContacts[number] : nullptr;
