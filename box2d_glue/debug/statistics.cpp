@@ -68,8 +68,8 @@ BMR_THREAD bool inStep = false;
 bool linesAreWanted = false;
 std::atomic<uint64_t> steps{0}, nanoseconds{0};
 std::atomic<bool> lineIsSaid{false}, hasStepped{false};
-/// Of the process that says it: the one that took the first step, or, where none did, that wanted it said. One
-/// that was forked afterwards has its parent's counts, and says nothing.
+/// Of the process that says it: the one that took the first step, or, where none did, that wanted it said.
+/// One that was forked afterwards has its parent's counts, and says nothing.
 std::atomic<long> speaker{0};
 uint64_t mostSteps = ~uint64_t{0};
 
@@ -202,17 +202,15 @@ TimedStep::TimedStep() : m_begin(Now()), m_outermost(!inStep) {
     WatchForSignals();
 }
 
-void TimedStep::End() const {
-    if (!m_outermost || steps.load(std::memory_order_relaxed) >= mostSteps)
+TimedStep::~TimedStep() {
+    if (!m_outermost)
+        return;
+    inStep = false;
+    if (steps.load(std::memory_order_relaxed) >= mostSteps)
         return;
     nanoseconds.fetch_add(static_cast<uint64_t>(Now() - m_begin), std::memory_order_relaxed);
     if (steps.fetch_add(1, std::memory_order_relaxed) + 1 == mostSteps)
         SayLine();
-}
-
-TimedStep::~TimedStep() {
-    if (m_outermost)
-        inStep = false;
 }
 
 } // namespace bmr

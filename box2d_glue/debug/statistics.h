@@ -113,12 +113,10 @@ void ReadVerbosity();
 /// Do tests want counts (BOOMERANG_COUNTS names a file, which gets them when the process ends)?
 bool CountsAreWanted();
 
-/// Lives as long as a step that is timed. A step inside another one is a part of it; one that ends by an
-/// exception is not counted.
+/// Lives as long as a step that is timed. A step inside another one is a part of it.
 class TimedStep {
 public:
     TimedStep();
-    void End() const;
     ~TimedStep();
     TimedStep(const TimedStep &) = delete;
     TimedStep &operator=(const TimedStep &) = delete;

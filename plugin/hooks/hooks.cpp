@@ -45,8 +45,6 @@ void b2World::Step(float timeStep, int32 velocityIterations, int32 positionItera
         RunStep(this, timeStep, velocityIterations, positionIterations);
     else
         stock::Step(this, timeStep, velocityIterations, positionIterations);
-    if (timed.has_value())
-        timed->End();
 }
 
 // The search for new pairs, where a step is not ours. It makes no table: one that began in the middle of

@@ -120,15 +120,6 @@ bool ConvexContact::Serves(const b2Shape &a, const b2Shape &b) {
     return BigPolygonOf(a) != nullptr || BigPolygonOf(b) != nullptr;
 }
 
-void ConvexContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
-    NoteOtherCaller();
-    Fill(manifold, xfA, xfB);
-}
-
-void ConvexContact::MakeManifold() {
-    Fill(&m_manifold, m_fixtureA->GetBody()->GetTransform(), m_fixtureB->GetBody()->GetTransform());
-}
-
 inline Answer ConvexContact::Ask(const b2Transform &xfA, const b2Transform &xfB) {
     if (!RoundsToNearest())
         return Answer::HandedOver;

@@ -69,8 +69,6 @@ public:
 
     using ContactClass<ConvexContact>::AsOurs;
 
-    void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
-    void MakeManifold() override;
     /// That of the last update.
     bmr_vec2 KnownDirection() const override;
 
@@ -83,7 +81,7 @@ private:
     float Margin() const;
     ProofResult ResultOf(Answer answer, bool points, const b2Transform &xfA, const b2Transform &xfB) const;
     Answer Ask(const b2Transform &xfA, const b2Transform &xfB);
-    void Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
+    void Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
     bool IsAtImpact() const;
     TwoFixtures Two() const { return {m_fixtureA, m_fixtureB, m_indexA}; }
 };

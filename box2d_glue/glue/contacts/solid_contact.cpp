@@ -105,12 +105,12 @@ bmr_vec2 SolidContact::GuessDirection() const {
     return ofHulls.x != 0.0 || ofHulls.y != 0.0 ? ofHulls : KnownDirection();
 }
 
-void SolidContact::NoteOtherCaller() const {
-    PairTable *const table = PairTableOf(*this);
-    if (table == nullptr)
-        return;
-    table->deferred.NoteGame(); // it may be the game that asks, in the midst of a call
-    table->Flag(this);
+void SolidContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+    if (PairTable *const table = PairTableOf(*this)) {
+        table->deferred.NoteGame(); // it may be the game that asks, in the midst of a call
+        table->Flag(this);
+    }
+    Fill(manifold, xfA, xfB);
 }
 
 // Two polygons of Box2D's own size.
@@ -140,19 +140,10 @@ bool PolygonContact::Serves(const b2Shape &a, const b2Shape &b) {
     return !AnyBigPolygon() || (BigPolygonOf(a) == nullptr && BigPolygonOf(b) == nullptr);
 }
 
-void PolygonContact::Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
-    NoteOtherCaller();
-    Fill(manifold, xfA, xfB);
-}
-
-void PolygonContact::MakeManifold() {
-    Fill(&m_manifold, m_fixtureA->GetBody()->GetTransform(), m_fixtureB->GetBody()->GetTransform());
-}
-
 /// b2PolygonContact::Evaluate. Ahead of it the edge that is remembered is asked, or the structure of the two
 /// bodies. Not if the two touched at the last update: most likely they touch still. (Then their own manifold
 /// has points; the caller's may be uninitialised.)
-inline void PolygonContact::Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+void PolygonContact::Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
     const bool toNearest = RoundsToNearest(), hulls = PairsAreHulls();
     Answer answer = m_manifold.pointCount > 0 ? Answer::Touching : Answer::HandedOver;
     if (answer == Answer::HandedOver && toNearest &&

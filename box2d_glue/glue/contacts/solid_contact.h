@@ -126,8 +126,12 @@ public:
 
     float RadiusSum() const { return m_fixtureA->GetShape()->m_radius + m_fixtureB->GetShape()->m_radius; }
 
+    /// Is called not by a pass of ours, but by Box2D or by the game: the contact's pair in the table is due.
+    void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) final;
     /// Makes the manifold anew, without impulses, of two fixtures that are no sensors.
-    virtual void MakeManifold() = 0;
+    void MakeManifold() {
+        Fill(&m_manifold, m_fixtureA->GetBody()->GetTransform(), m_fixtureB->GetBody()->GetTransform());
+    }
 
     /// The direction that this contact remembers itself, in the world, from A to B. Zero if there is none.
     virtual bmr_vec2 KnownDirection() const = 0;
@@ -153,9 +157,8 @@ protected:
     /// these poses?
     bool HullsSayApart(const b2Transform &xfA, const b2Transform &xfB) const;
 
-    /// Evaluate was called: not by a pass of ours, but by Box2D or by the game. The contact's pair in the
-    /// table is due.
-    void NoteOtherCaller() const;
+private:
+    virtual void Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) = 0;
 };
 
 /// Box2D's polygon contact with a separation proof in front. Its results are those of stock's to the bit.
@@ -167,8 +170,6 @@ public:
 
     using ContactClass<PolygonContact>::AsOurs;
 
-    void Evaluate(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
-    void MakeManifold() override;
     /// The remembered edge's.
     bmr_vec2 KnownDirection() const override;
 
@@ -183,7 +184,7 @@ private:
         state.edge.number = kNoEdge;
     }
 
-    void Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
+    void Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) override;
     bool Search(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB);
     bool EdgeSeparates(const b2Transform &xfA, const b2Transform &xfB) const;
 };

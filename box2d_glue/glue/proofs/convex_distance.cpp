@@ -81,10 +81,6 @@ bool Find(const b2DistanceProxy &a, const b2DistanceProxy &b, Two *two) {
     return true;
 }
 
-b2Vec2 Vector(bmr_vec32 v) {
-    return {v.x, v.y};
-}
-
 /// A cache holds 8 bits of a vertex' number.
 constexpr uint32_t kCachedVertices = 256;
 
@@ -103,8 +99,8 @@ void WriteCache(b2SimplexCache *cache, const Two &two, const b2DistanceInput &in
     for (int32_t i = 0; i < found.count; ++i) {
         cache->indexA[i] = static_cast<uint8>(found.vertex_a[i]);
         cache->indexB[i] = static_cast<uint8>(found.vertex_b[i]);
-        w[i] = b2Mul(input.transformB, Vector(two.b.polygon.vertices[found.vertex_b[i]])) -
-               b2Mul(input.transformA, Vector(two.a.polygon.vertices[found.vertex_a[i]]));
+        w[i] = b2Mul(input.transformB, *Vectors(&two.b.polygon.vertices[found.vertex_b[i]])) -
+               b2Mul(input.transformA, *Vectors(&two.a.polygon.vertices[found.vertex_a[i]]));
     }
     cache->metric = found.count == 1   ? 0.0f
                     : found.count == 2 ? (w[1] - w[0]).Length()
@@ -179,8 +175,8 @@ bool BigDistance(b2DistanceOutput *output, b2SimplexCache *cache, const b2Distan
     bmr_closest32 closest = ReadCache(*cache, two);
     const bmr_distance32 found = bmr_convex32_distance(&two.a, Transform32(input.transformA), &two.b,
                                                        Transform32(input.transformB), &closest);
-    output->pointA = Vector(found.point_a);
-    output->pointB = Vector(found.point_b);
+    output->pointA = *Vectors(&found.point_a);
+    output->pointB = *Vectors(&found.point_b);
     output->distance = found.distance;
     output->iterations = found.iterations;
     WriteCache(cache, two, input, found);
@@ -196,8 +192,8 @@ bool BigCast(b2ShapeCastOutput *output, const b2ShapeCastInput &input, bool *hit
     bmr_cast32 cast;
     *hit = bmr_convex32_cast(&two.a, Transform32(input.transformA), &two.b, Transform32(input.transformB),
                              *Vectors32(&input.translationB), b2_linearSlop, &cast);
-    output->point = Vector(cast.point);
-    output->normal = Vector(cast.normal);
+    output->point = *Vectors(&cast.point);
+    output->normal = *Vectors(&cast.normal);
     output->lambda = cast.lambda;
     output->iterations = cast.iterations;
     return true;

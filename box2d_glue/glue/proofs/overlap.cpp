@@ -110,7 +110,7 @@ public:
     /// Is this vertex so deep inside the other polygon that b2Distance finds no more than its rounding? Their
     /// skins must cover that.
     bool Holds(bool ofB, int32 number) const {
-        const b2Vec2 p = b2Mul(Pose(ofB), VertexOf(Owner(ofB), number));
+        const b2Vec2 p = b2Mul(Pose(ofB), Vectors(Owner(ofB).vertices)[number]);
         float reach = bmr_points32_reach(Owner(ofB).vertices, Owner(ofB).count);
         const float depth = bmr_posed32_depth(&Owner(!ofB), Transform32(Pose(!ofB)), *Vectors32(&p), &reach);
         const float rounding = Rounding(m_q, reach);
@@ -124,7 +124,8 @@ public:
             const b2Vec2 towards = b2MulT(Pose(ofB).q, ofB ? -between : between);
             int32 best = 0;
             for (int32 i = 1; i < Owner(ofB).count; ++i) {
-                if (b2Dot(VertexOf(Owner(ofB), i), towards) > b2Dot(VertexOf(Owner(ofB), best), towards))
+                if (b2Dot(Vectors(Owner(ofB).vertices)[i], towards) >
+                    b2Dot(Vectors(Owner(ofB).vertices)[best], towards))
                     best = i;
             }
             if (Holds(ofB, best)) {
@@ -157,7 +158,7 @@ private:
         float gap, rounding; ///< rounding is infinite where the normal is no direction
     };
     Side TestSide(bool ofB, int32 number) const {
-        const b2Vec2 normal = b2Mul(Pose(ofB).q, NormalOf(Owner(ofB), number));
+        const b2Vec2 normal = b2Mul(Pose(ofB).q, Vectors(Owner(ofB).normals)[number]);
         const bmr_vec32 fromA = {ofB ? -normal.x : normal.x, ofB ? -normal.y : normal.y};
         if (!IsDirection(fromA))
             return {0.0f, INFINITY};
@@ -172,14 +173,8 @@ private:
     }
     const bmr_polygon32 &Owner(bool ofB) const { return ofB ? m_b : m_a; }
     const b2Transform &Pose(bool ofB) const { return ofB ? m_q.xfB : m_q.xfA; }
-    static b2Vec2 VertexOf(const bmr_polygon32 &polygon, int32 i) {
-        return b2Vec2(polygon.vertices[i].x, polygon.vertices[i].y);
-    }
-    static b2Vec2 NormalOf(const bmr_polygon32 &polygon, int32 i) {
-        return b2Vec2(polygon.normals[i].x, polygon.normals[i].y);
-    }
     static b2Vec2 Middle(const bmr_polygon32 &polygon) {
-        return 0.5f * (VertexOf(polygon, 0) + VertexOf(polygon, polygon.count / 2));
+        return 0.5f * (Vectors(polygon.vertices)[0] + Vectors(polygon.vertices)[polygon.count / 2]);
     }
 
     const PlacedShapes &m_q;

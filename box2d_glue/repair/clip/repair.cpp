@@ -67,54 +67,15 @@ constexpr size_t kMostPlaces = size_t{1} << 22;
 
 // Points go to others, and edges bend to points.
 
-/// All places of some paths, in rows; in each row from left to right.
-class Rows {
-public:
-    explicit Rows(const Paths &paths) {
-        std::vector<Place> places;
-        for (const Path &path : paths)
-            places.insert(places.end(), path.begin(), path.end());
-        if (places.empty())
-            return;
-        std::sort(places.begin(), places.end(), Before);
-        places.erase(std::unique(places.begin(), places.end()), places.end());
-        m_bottom = static_cast<double>(places.front().Y);
-        const double height = static_cast<double>(places.back().Y) - m_bottom + 1.0;
-        m_rows.resize(static_cast<size_t>(std::sqrt(static_cast<double>(places.size()))) + 1);
-        m_rowHeight = height / static_cast<double>(m_rows.size());
-        for (const Place &place : places)
-            m_rows[RowOf(static_cast<double>(place.Y))].push_back(place);
-        for (std::vector<Place> &row : m_rows)
-            std::sort(row.begin(), row.end(), [](const Place &a, const Place &b) { return a.X < b.X; });
-    }
-
-    /// Calls function(place) with every place within `reach` of the segment, and others.
-    template <typename Function>
-    void ForEachNear(const Place &a, const Place &b, double reach, Function function) const {
-        const auto bottom = static_cast<double>(std::min(a.Y, b.Y)),
-                   top = static_cast<double>(std::max(a.Y, b.Y)),
-                   left = static_cast<double>(std::min(a.X, b.X)) - reach,
-                   right = static_cast<double>(std::max(a.X, b.X)) + reach;
-        const size_t last = RowOf(top + reach);
-        for (size_t row = RowOf(bottom - reach); row <= last; ++row) {
-            const std::vector<Place> &places = m_rows[row];
-            auto place = std::partition_point(places.begin(), places.end(), [left](const Place &p) {
-                return static_cast<double>(p.X) < left;
-            });
-            for (; place != places.end() && static_cast<double>(place->X) <= right; ++place)
-                function(*place);
-        }
-    }
-
-private:
-    size_t RowOf(double y) const {
-        const double row = std::floor((y - m_bottom) / m_rowHeight);
-        return static_cast<size_t>(std::clamp(row, 0.0, static_cast<double>(m_rows.size() - 1)));
-    }
-
-    std::vector<std::vector<Place>> m_rows;
-    double m_bottom = 0.0, m_rowHeight = 1.0;
-};
+/// All places of some paths, in the order of Before.
+std::vector<Place> PlacesOf(const Paths &paths) {
+    std::vector<Place> places;
+    for (const Path &path : paths)
+        places.insert(places.end(), path.begin(), path.end());
+    std::sort(places.begin(), places.end(), Before);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+}
 
 /// A place beside an edge, and how far along it that is, 0 to 1.
 struct Stop {
@@ -167,10 +128,10 @@ std::vector<Place> Gather(const std::vector<bmr_vec2> &points, double reach) {
 
 /// Bends each edge to the places of all paths that are not farther than `reach` from it, between its ends;
 /// with reach 0 to those that lie exactly on it. So paths that meet in a place have it in common. Each edge
-/// looks at the places in the rows of the grid's box that it passes. False where there would be more than
-/// kMostPlaces, as of edges that lie on each other by the thousand; then paths are bent in part.
+/// looks at the places of its height. False where there would be more than kMostPlaces, as of edges that lie
+/// on each other by the thousand; then paths are bent in part.
 bool Bend(Paths *paths, double reach) {
-    const Rows rows(*paths);
+    const std::vector<Place> places = PlacesOf(*paths);
     size_t left = kMostPlaces;
     std::vector<Stop> stops;
     for (Path &path : *paths) {
@@ -179,11 +140,16 @@ bool Bend(Paths *paths, double reach) {
             const Place &a = path[i], &b = path[i + 1 < path.size() ? i + 1 : 0];
             bent.push_back(a);
             stops.clear();
-            rows.ForEachNear(a, b, reach, [&](const Place &place) {
-                double along;
-                if (IsBeside(a, b, place, reach, &along))
-                    stops.push_back({along, place});
+            const double bottom = static_cast<double>(std::min(a.Y, b.Y)) - reach,
+                         top = static_cast<double>(std::max(a.Y, b.Y)) + reach;
+            auto place = std::partition_point(places.begin(), places.end(), [bottom](const Place &p) {
+                return static_cast<double>(p.Y) < bottom;
             });
+            for (; place != places.end() && static_cast<double>(place->Y) <= top; ++place) {
+                double along;
+                if (IsBeside(a, b, *place, reach, &along))
+                    stops.push_back({along, *place});
+            }
             std::sort(stops.begin(), stops.end(), [](const Stop &s, const Stop &t) {
                 return s.along != t.along ? s.along < t.along : Before(s.place, t.place);
             });
