@@ -21,8 +21,8 @@ namespace bmr {
 class IslandSolver;
 class PairTable;
 
-/// b2World::Step, if StepIsOurs. Forces are cleared of the bodies that are awake alone, where it is known that
-/// no other has any.
+/// b2World::Step, if StepIsOurs. Forces are cleared of the bodies that are awake alone, where it is known
+/// that no other has any.
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations);
 
 /// Is a step that begins ours, and with it each of its passes? It is Box2D's if the thread does not round to
@@ -35,9 +35,7 @@ bool StepIsOurs(const b2World &world);
 ///
 /// By a table the pass does not read contacts whose deadline is not reached. Box2D's loop would leave each of
 /// these without points, not touching, and enabled. The first two it is. A game may have disabled it, and the
-/// pass defers its enabling: it is done before each call of the game's code, for the contacts that the pass
-/// has passed, and at its end if code of the game ran. (If none does, b2World::SolveTOI alone asks:
-/// DeferredEnable.)
+/// pass defers its enabling (DeferredEnable).
 void Collide(b2ContactManager *manager, PairTable *table);
 
 /// b2World::Solve: islands of bodies that touch or are joined are built, depth first, and solved; then boxes

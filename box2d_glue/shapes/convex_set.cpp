@@ -202,8 +202,7 @@ bmr_error ConvexShape::AdoptBlock(bmr_convex32_block *block) {
 }
 
 bmr_error ConvexShape::Set(const b2Vec2 *points, int32 count) {
-    Welded welded;
-    return Set(points, count, &welded);
+    return SetHull(points, count, Weld::Allowed, nullptr);
 }
 
 bmr_error ConvexShape::Set(const b2Vec2 *points, int32 count, Welded *welded) {
@@ -211,7 +210,7 @@ bmr_error ConvexShape::Set(const b2Vec2 *points, int32 count, Welded *welded) {
 }
 
 bmr_error ConvexShape::SetHull(const b2Vec2 *points, int32 count, Weld weld, Welded *welded) {
-    if (points == nullptr || welded == nullptr)
+    if (points == nullptr)
         return BMR_ERROR_NULL_ARGUMENT;
     if (count < 3)
         return BMR_ERROR_TOO_FEW_POINTS;
@@ -226,7 +225,7 @@ bmr_error ConvexShape::SetHull(const b2Vec2 *points, int32 count, Weld weld, Wel
         found.count = static_cast<int32>(block->repeated);
         if (block->polygon.count > b2_maxPolygonVertices) {
             error = AdoptBlock(block);
-            if (error == BMR_OK)
+            if (error == BMR_OK && welded != nullptr)
                 *welded = found;
             return error;
         }
@@ -235,10 +234,10 @@ bmr_error ConvexShape::SetHull(const b2Vec2 *points, int32 count, Weld weld, Wel
     }
     b2PolygonShape set;
     const bmr_error error = MakeStockPolygon(&set, points, count, weld == Weld::Allowed, &found);
-    if (error == BMR_OK) {
+    if (error == BMR_OK)
         TakeSmall(set, 0);
+    if (error == BMR_OK && welded != nullptr)
         *welded = found;
-    }
     bmr_convex32_destroy(block, registry::GetAllocator());
     return error;
 }
@@ -325,17 +324,10 @@ struct Direction {
 Direction PartOfTurn(int64_t i, int64_t count) {
     const int64_t quarter = 4 * i / count, rest = 4 * i % count;
     const double angle = static_cast<double>(rest) / static_cast<double>(count) * 1.57079632679489661923;
-    const double c = std::cos(angle), s = std::sin(angle);
-    switch (quarter % 4) {
-    case 0:
-        return {c, s};
-    case 1:
-        return {-s, c};
-    case 2:
-        return {-c, -s};
-    default:
-        return {s, -c};
-    }
+    Direction direction = {std::cos(angle), std::sin(angle)};
+    for (int64_t turn = 0; turn < quarter % 4; ++turn)
+        direction = {-direction.y, direction.x};
+    return direction;
 }
 
 bmr_error CheckSize(float size) {
@@ -365,8 +357,7 @@ bmr_error ConvexShape::SetEllipse(int32 count, float halfWidth, float halfHeight
         const Direction d = PartOfTurn(i, count);
         points.Add(d.x * static_cast<double>(halfWidth), d.y * static_cast<double>(halfHeight));
     }
-    Welded welded; // none
-    return SetHull(points.Get(), points.GetCount(), Weld::Refused, &welded);
+    return SetHull(points.Get(), points.GetCount(), Weld::Refused, nullptr);
 }
 
 bmr_error ConvexShape::SetRounded(float halfWidth, float halfHeight, float cornerRadius,
@@ -393,8 +384,7 @@ bmr_error ConvexShape::SetRounded(float halfWidth, float halfHeight, float corne
             points.Add(corners[corner].x + radius * d.x, corners[corner].y + radius * d.y);
         }
     points.Close();
-    Welded welded; // none
-    return SetHull(points.Get(), points.GetCount(), Weld::Refused, &welded);
+    return SetHull(points.Get(), points.GetCount(), Weld::Refused, nullptr);
 }
 
 bmr_error ConvexShape::Simplify(float tolerance) {
@@ -416,8 +406,7 @@ bmr_error ConvexShape::Simplify(float tolerance) {
                                                   reinterpret_cast<bmr_vec32 *>(points.Get()), &left);
     if (error != BMR_OK || left == static_cast<size_t>(count))
         return error;
-    Welded welded; // none
-    return SetHull(points.Get(), static_cast<int32>(left), Weld::Refused, &welded);
+    return SetHull(points.Get(), static_cast<int32>(left), Weld::Refused, nullptr);
 }
 
 } // namespace bmr

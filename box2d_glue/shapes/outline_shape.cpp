@@ -41,18 +41,8 @@ bool IsLostInFloats(const bmr_rings &rings, double area) {
     return off * perimeter > kMostOfArea * area;
 }
 
-/// The point is named in `*fault`, which may be nullptr.
-void WriteFaultAt(const bmr_rings &rings, uint64_t point, OutlineFault *fault) {
-    if (fault == nullptr)
-        return;
-    int32 ring = 0;
-    for (uint64_t first = 0; point - first >= rings.counts[ring]; ++ring)
-        first += rings.counts[ring];
-    *fault = {{static_cast<int32>(point), -1}, {ring, -1}, b2Vec2(0.0f, 0.0f)};
-    fault->where.Set(static_cast<float>(rings.points[point].x), static_cast<float>(rings.points[point].y));
-}
-
-bmr_error CheckRange(const bmr_rings &rings, OutlineFault *fault) {
+/// The fault is that of a coordinate.
+bmr_error CheckRange(const bmr_rings &rings, bmr_outline_fault *fault) {
     if (rings.counts == nullptr && rings.ring_count > 0)
         return BMR_ERROR_NULL_ARGUMENT;
     uint64_t count = 0;
@@ -67,21 +57,16 @@ bmr_error CheckRange(const bmr_rings &rings, OutlineFault *fault) {
         const bool isFinite = std::isfinite(p.x) && std::isfinite(p.y);
         if (isFinite && std::fabs(p.x) <= BMR_MAX_COORDINATE && std::fabs(p.y) <= BMR_MAX_COORDINATE)
             continue;
-        WriteFaultAt(rings, i, fault);
-        return isFinite ? BMR_ERROR_OUT_OF_RANGE : BMR_ERROR_NOT_FINITE;
+        uint32_t ring = 0;
+        for (uint64_t first = 0; i - first >= rings.counts[ring]; ++ring)
+            first += rings.counts[ring];
+        *fault = {isFinite ? BMR_ERROR_OUT_OF_RANGE : BMR_ERROR_NOT_FINITE,
+                  {static_cast<uint32_t>(i), BMR_OUTLINE_NONE},
+                  {ring, BMR_OUTLINE_NONE},
+                  p};
+        return fault->error;
     }
     return BMR_OK;
-}
-
-void WriteFault(const bmr_outline_fault &fault, OutlineFault *written) {
-    const auto number = [](uint32_t n) { return n == BMR_OUTLINE_NONE ? -1 : static_cast<int32>(n); };
-    if (written == nullptr)
-        return;
-    for (int i = 0; i < 2; ++i) {
-        written->edge[i] = number(fault.edge[i]);
-        written->ring[i] = number(fault.ring[i]);
-    }
-    written->where.Set(static_cast<float>(fault.where.x), static_cast<float>(fault.where.y));
 }
 
 bmr_error MakeRecord(const bmr_rings *rings, float tolerance, const bmr_allocator *allocator,
@@ -128,7 +113,7 @@ OutlineShape::~OutlineShape() {
 }
 
 bmr_error OutlineShape::Set(const b2Vec2 *points, int32 count, const OutlineHole *holes, int32 holeCount,
-                            float tolerance, OutlineFault *fault) {
+                            float tolerance, bmr_outline_fault *fault) {
     if (holes == nullptr && holeCount > 0)
         return BMR_ERROR_NULL_ARGUMENT;
     bmr_error error = CheckRing(points, count);
@@ -156,18 +141,17 @@ bmr_error OutlineShape::Set(const b2Vec2 *points, int32 count, const OutlineHole
     return Set({copied.Get(), counts.Get(), ringCount}, tolerance, fault);
 }
 
-bmr_error OutlineShape::Set(const bmr_rings &rings, float tolerance, OutlineFault *fault) {
+bmr_error OutlineShape::Set(const bmr_rings &rings, float tolerance, bmr_outline_fault *fault) {
     const NearestRounding nearest; // outlines outlast the mode that they are made in
-    bmr_error error = CheckRange(rings, fault);
-    if (error == BMR_OK)
-        error = RegisterConvexContacts();
-    if (error != BMR_OK)
-        return error;
     bmr_outline_fault found = {};
     OutlineRecord *made = nullptr;
-    error = MakeRecord(&rings, tolerance, registry::GetAllocator(), &found, &made);
-    if (found.error != BMR_OK)
-        WriteFault(found, fault);
+    bmr_error error = CheckRange(rings, &found);
+    if (error == BMR_OK)
+        error = RegisterConvexContacts();
+    if (error == BMR_OK)
+        error = MakeRecord(&rings, tolerance, registry::GetAllocator(), &found, &made);
+    if (found.error != BMR_OK && fault != nullptr)
+        *fault = found;
     if (error != BMR_OK)
         return error;
     if (m_record != nullptr)

@@ -93,11 +93,6 @@ inline void Count(std::atomic<uint64_t> Counts::*counter) {
         (GetCounts().*counter).fetch_add(1, std::memory_order_relaxed);
 }
 
-inline void CountStep() {
-    if (GetSettings().options.statistics || Verifying())
-        GetCounts().steps.fetch_add(1, std::memory_order_relaxed);
-}
-
 // What the environment says.
 //
 // The environment variables that set the plugin without rebuilding the program:

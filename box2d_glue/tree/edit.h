@@ -48,10 +48,6 @@ inline bool HasNumbers(Box a) {
     return !any4(unordered4(a, a));
 }
 
-inline void StoreBox(b2AABB *aabb, Box box) {
-    store4(&aabb->lowerBound.x, box);
-}
-
 /// A leaf's box, held against others.
 class LeafBox {
 public:
@@ -248,7 +244,7 @@ private:
     }
 
     static void Combine(b2TreeNode *node, const b2TreeNode &first, const b2TreeNode &second) {
-        StoreBox(&node->aabb, Around(BoxOf(first.aabb), BoxOf(second.aabb)));
+        store4(&node->aabb.lowerBound.x, Around(BoxOf(first.aabb), BoxOf(second.aabb)));
         node->height = 1 + b2Max(first.height, second.height);
     }
 

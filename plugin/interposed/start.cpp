@@ -140,16 +140,11 @@ bool AnyBox2DBehind() {
     return dlsym(RTLD_NEXT, kStep) != nullptr;
 }
 
-/// Where StepsAreSeen() is false: is the b2World::Step that is called in the program itself?
-bool ProgramStepsFirst() {
-    return IsInProgram(boundStep);
-}
-
 /// If no step is seen: the reason, and the line to write, in a few words. The answer lives until the next
 /// call.
 const char *WhyNoStepIsSeen() {
     const char *first = PathOf(boundStep);
-    if (!StepsAreSeen() && ProgramStepsFirst())
+    if (!StepsAreSeen() && IsInProgram(boundStep))
         std::snprintf(words, sizeof words,
                       "%s has a b2World::Step of its own. If Box2D is compiled into it, use "
                       "boomerang_accelerate()",
@@ -259,7 +254,7 @@ __attribute__((constructor)) void Loaded() {
     SayAtExitIfNotUsed();
     if (StepsAreSeen())
         internal::startsByItself = true;
-    else if (asked && !ProgramStepsFirst())
+    else if (asked && !IsInProgram(boundStep))
         Refuse(WhyNoStepIsSeen());
 }
 

@@ -333,7 +333,7 @@ bmr::OutlineShape Elbow() {
 
 /// What Set says to an outline that has points.
 std::string SetOutline(const b2Vec2 *points, int32 count, const bmr::OutlineHole *holes, int32 holeCount,
-                       float tolerance, bmr::OutlineFault *fault) {
+                       float tolerance, bmr_outline_fault *fault) {
     bmr::OutlineShape outline = Elbow();
     const bmr::OutlineShape before = outline;
     const bmr_error error = outline.Set(points, count, holes, holeCount, tolerance, fault);
@@ -454,30 +454,30 @@ TEST_CASE("boomerang/outline_shape.h") {
 }
 
 TEST_CASE("bad rings of OutlineShape::Set, and the edges that the fault names") {
-    constexpr int32 kUnnamed = -2;
+    constexpr uint32_t kUnnamed = 12345, kNone = BMR_OUTLINE_NONE;
     const struct {
         const char *name;
         Ring points;
         Answer answer;
-        int32 first = kUnnamed, second = kUnnamed;
+        uint32_t first = kUnnamed, second = kUnnamed;
         Ring hole = {};
     } rows[] = {
         {"65,536 points", Ring(65536, b2Vec2(1.0f, 1.0f)), BMR_ERROR_TOO_MANY_POINTS},
-        {"a coordinate of NaN", {{0, 0}, {NAN, 0}, {0, 1}}, BMR_ERROR_NOT_FINITE, 1, -1},
-        {"a coordinate of infinity", {{0, 0}, {INFINITY, 0}, {0, 1}}, BMR_ERROR_NOT_FINITE, 1, -1},
-        {"a coordinate of 2e9", {{0, 0}, {2e9f, 0}, {0, 1}}, BMR_ERROR_OUT_OF_RANGE, 1, -1},
+        {"a coordinate of NaN", {{0, 0}, {NAN, 0}, {0, 1}}, BMR_ERROR_NOT_FINITE, 1, kNone},
+        {"a coordinate of infinity", {{0, 0}, {INFINITY, 0}, {0, 1}}, BMR_ERROR_NOT_FINITE, 1, kNone},
+        {"a coordinate of 2e9", {{0, 0}, {2e9f, 0}, {0, 1}}, BMR_ERROR_OUT_OF_RANGE, 1, kNone},
         {"a triangle of sides 1e-30", {{0, 0}, {1e-30f, 0}, {0, 1e-30f}}, BMR_ERROR_OUT_OF_RANGE},
         {"two points", {{0, 0}, {2, 0}}, BMR_ERROR_TOO_FEW_POINTS, 0, 0},
-        {"no points", {}, BMR_ERROR_TOO_FEW_POINTS, -1, -1},
+        {"no points", {}, BMR_ERROR_TOO_FEW_POINTS, kNone, kNone},
         {"like an 8", {{0, 0}, {2, 2}, {2, 0}, {0, 2}}, BMR_ERROR_CROSSING_EDGES, 0, 2},
         {"a spike", {{0, 0}, {4, 0}, {2, 0}, {2, 2}}, BMR_ERROR_OVERLAPPING_EDGES, 0, 1},
         {"a point twice", {{0, 0}, {2, 0}, {2, 0}, {0, 2}}, "1 pieces"},
-        {"a hole beside it", kElbow, BMR_ERROR_HOLE_OUTSIDE, 6, -1, {{9, 9}, {10, 9}, {9, 10}}},
+        {"a hole beside it", kElbow, BMR_ERROR_HOLE_OUTSIDE, 6, kNone, {{9, 9}, {10, 9}, {9, 10}}},
     };
     for (const auto &row : rows) {
         CAPTURE(std::string(row.name));
         const bmr::OutlineHole hole = {row.hole.data(), static_cast<int32>(row.hole.size())};
-        bmr::OutlineFault fault = {{kUnnamed, kUnnamed}, {kUnnamed, kUnnamed}, {0.0f, 0.0f}};
+        bmr_outline_fault fault = {BMR_OK, {kUnnamed, kUnnamed}, {kUnnamed, kUnnamed}, {0.0, 0.0}};
         const b2Vec2 *points = row.points.empty() ? kElbow.data() : row.points.data();
         CHECK(SetOutline(points, static_cast<int32>(row.points.size()), &hole, row.hole.empty() ? 0 : 1, 0.0f,
                          &fault) == row.answer.text);

@@ -33,16 +33,6 @@ struct OutlineHole {
     int32 count;
 };
 
-/// Where an outline is wrong: at two edges, or, of a coordinate that is not allowed, at the point that
-/// edge[0] begins at (bmr_outline_fault, boomerang/outline.h, says which edges these are of which error).
-/// Edges are numbered from 0, those of the outer ring first, then hole after hole; edge i begins at point i.
-/// -1: there is none.
-struct OutlineFault {
-    int32 edge[2];
-    int32 ring[2]; ///< 0 is the outer ring, 1 the first hole
-    b2Vec2 where;
-};
-
 /// An outline, cut once and shared by all bodies that have it: copies are cheap, and the last of the copies
 /// and of the fixtures frees it. Outlines may be made, copied and destroyed on any thread.
 class BMR_BOX2D_API OutlineShape {
@@ -65,11 +55,15 @@ public:
     /// 1e9 say in `*fault` where), BMR_ERROR_FAR_FROM_ORIGIN (rings in doubles that are small and far from
     /// the origin: rounding them to floats could change the area by a hundredth), BMR_ERROR_NO_MEMORY,
     /// BMR_ERROR_UNSUPPORTED (a Box2D that the glue does not know). About O(n log n).
+    ///
+    /// A fault names two edges (boomerang/outline.h says which), or, of a coordinate that is not allowed, the
+    /// one that begins at the point. Edges are numbered from 0, those of the outer ring first, then hole
+    /// after hole; edge i begins at point i. Ring 0 is the outer one.
     bmr_error Set(const b2Vec2 *points, int32 count, const OutlineHole *holes = nullptr, int32 holeCount = 0,
-                  float tolerance = 0.0f, OutlineFault *fault = nullptr);
+                  float tolerance = 0.0f, bmr_outline_fault *fault = nullptr);
     /// The same of rings in doubles, the outer one first, as boomerang::repair returns them. The shape is of
     /// floats: of coordinates on a map subtract an origin near the outline first.
-    bmr_error Set(const bmr_rings &rings, float tolerance = 0.0f, OutlineFault *fault = nullptr);
+    bmr_error Set(const bmr_rings &rings, float tolerance = 0.0f, bmr_outline_fault *fault = nullptr);
 
     /// Makes a fixture of each piece on the body, all by `def`, whose shape is not read. The body's mass,
     /// centre and inertia then include those of the outline, also if the pieces are the outline only within a

@@ -12,14 +12,6 @@
 /// @file
 /// What touched, parted and hit in a step, as lists that a game reads after the step. In C++11 or later, with
 /// the plugin or without. docs/contact-recorder.md has examples.
-///
-///     bmr::ContactRecorder recorder;
-///     recorder.SetHitThreshold(1.0f);
-///     world.SetContactListener(&recorder);
-///     world.Step(1.0f / 60.0f, 8, 3);
-///     const bmr::ContactEvents events = recorder.Take();
-///     for (const bmr::ContactHitEvent &hit : events.hits)
-///         Damage(hit.b.userData, hit.impulse);
 
 namespace bmr {
 
