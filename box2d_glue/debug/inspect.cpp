@@ -148,7 +148,7 @@ double Overhang(const bmr_convex32 &owner, int32_t edge) {
 }
 
 /// If the edge separates the two in Box2D's sense, it is the proof. Its slack is the separation less what its
-/// arithmetic may be off by (glue/proofs/README.md).
+/// arithmetic may be off by (glue/proofs/thresholds.md).
 bool AskEdge(const FaceGap &gap, const b2Fixture *const (&fixtures)[2], int owner, Proof *proof) {
     const b2Fixture &mine = *fixtures[owner], &theirs = *fixtures[1 - owner];
     if (!(gap.separation > mine.GetShape()->m_radius + theirs.GetShape()->m_radius))

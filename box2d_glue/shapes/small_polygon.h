@@ -58,7 +58,7 @@ inline bool HasSideWithoutDirection(const b2PolygonShape &polygon) {
 /// normals Box2D may clip against any face, and then keeps points however far off they are.
 /// b2PolygonShape::Set tilts normals by 2.2 units, and the product here is off by 3 more. If a game turned
 /// and moved vertices after it made the normals, they are off by the rounding of the vertices.
-/// glue/proofs/README.md has the cost of that.
+/// glue/proofs/thresholds.md has the cost of that.
 inline bool HasNormalsOfItsSides(const b2PolygonShape &polygon) {
     constexpr float kUnit = 0.5f * b2_epsilon;
     constexpr float kTilt = 8.0f * kUnit, kLength = 16.0f * kUnit, kRounding = 8.0f * kUnit;

@@ -5,7 +5,7 @@
 /// @file
 /// The hooks: Box2D's functions that the plugin stands in front of. A hook is named here, where it is defined
 /// (plugin/hooks), and where Box2D's own is renamed (plugin/renamed). All else is made of this list:
-/// the names by which hooks call Box2D's own (plugin/hooks/stock.h), the symbols (CMake reads them here),
+/// the names by which hooks call Box2D's own (bmr::stock), the symbols (CMake reads them here),
 /// what the trial step has to hear (HookOf), and what boomerang_accelerate looks for in Box2D's sources.
 ///
 ///     HOOK(name, function, symbol, heard, result, parameters, renamed)

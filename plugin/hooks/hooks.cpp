@@ -19,9 +19,46 @@
 #include "glue/passes.h"
 #include "glue/proofs/convex_distance.h"
 #include "hooks/start.h"
-#include "hooks/stock.h"
 #include "shapes/big_polygons.h"
+#include "start/hook_list.h"
 #include "start/settings.h"
+
+#if !defined(BMR_RENAMED)
+#    include "interposed/real.h"
+#endif
+
+// Box2D's own functions, for the hooks: `stock::FindNewContacts(manager)` is what `manager->FindNewContacts()`
+// would be without us. How calls get to a hook, and how a hook gets to what it stands in front of, is one of
+// two ways:
+//
+// - interposed: Box2D is a shared library, and this one stands ahead of it for the loader. What is asked for
+//   here is looked up by name behind this library.
+// - renamed: boomerang_accelerate compiles Box2D's sources with the plugin, and they define all of this
+//   under other names. BMR_RENAMED is defined. What is asked for here is defined in renamed/.
+//
+// BMR_FOR_LOADERS(name) says by which name loaders ask for a hook; it means something in the first way alone.
+
+#if defined(BMR_RENAMED)
+#    define BMR_FOR_LOADERS(name) static_assert(true)
+#    define BMR_STOCK BMR_DECLARE_STOCK
+#else
+#    define BMR_STOCK(name, function, symbol, heard, result, parameters, renamed)                            \
+        inline Real<result parameters> name(#symbol);
+#endif
+
+namespace bmr::stock {
+
+BMR_HOOKS(BMR_STOCK)
+
+} // namespace bmr::stock
+
+namespace bmr::hooks {
+
+/// A world's destructor begins. (No definition of ours can stand in front of a destructor, which ends its
+/// members, too: each way has its own means.)
+void NoteWorldEnds(b2World *world);
+
+} // namespace bmr::hooks
 
 using namespace bmr;
 

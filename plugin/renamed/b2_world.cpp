@@ -4,7 +4,7 @@
 //
 // A source of Box2D's that defines what hooks stand in front of is compiled through a file that CMake writes.
 // It gives these functions other names (BmrStock...), includes the source as it is (BMR_BOX2D_SOURCE), and
-// defines the functions of bmr::stock (hooks/stock.h, start/hook_list.h) that call them. All other files of
+// defines the functions of bmr::stock (hooks/hooks.cpp, start/hook_list.h) that call them. All other files of
 // Box2D call Box2D's names, which hooks/ defines. Members that only such a file has do not change how a class
 // is laid out.
 //

@@ -15,7 +15,7 @@ constexpr double kRoundingMargin = 0.2 * b2_linearSlop;
 
 /// b2CollidePolygons clips in world coordinates, each as large as X. A moved point is off by 1.4 units of X,
 /// its product with a normal by 3, a clipped corner in all by 16.5 (units are halves of FLT_EPSILON;
-/// README.md beside this has the derivation, test_glue_threshold_bounds computes it). So up to this distance
+/// thresholds.md beside this has the derivation, test_glue_threshold_bounds computes it). So up to this distance
 /// from the origin all of it stays within kRoundingMargin; beyond, pairs go to Box2D.
 constexpr double kReach = kRoundingMargin / (16.0 * FLT_EPSILON);
 
@@ -67,7 +67,7 @@ constexpr float kUnit = 0.5f * FLT_EPSILON;
 /// How far Box2D's arithmetic and ours may be off for one of two moving shapes, in terms of the largest
 /// coordinate X of its points in the world, their largest distance R from the body's origin, and the body's
 /// angle; in kUnit. The sum of both shapes' is what a proof must leave beside ImpactDistance (or beside the
-/// sum of the radii, for a sensor). README.md beside this has the derivation, test_glue_threshold_bounds
+/// sum of the radii, for a sensor). thresholds.md beside this has the derivation, test_glue_threshold_bounds
 /// computes it.
 ///
 /// - X: interpolating the centre and the transform 7.4 in length. The closest point, a mean of two such

@@ -13,13 +13,6 @@
 /// Rings as people draw them become outlines that bmr_outline_decompose takes, and many outlines become one.
 /// C++11, no Box2D; a library of its own, boomerang::repair, on the clipper of Debian's libpolyclipping.
 ///
-///     bmr::Outline drawn;
-///     drawn.AddRing(points, count);                        // b2Vec2, bmr_vec2: any type with x and y
-///     std::vector<bmr::Outline> repaired;
-///     if (bmr::RepairOutline(drawn, bmr::FillRule::EvenOdd, 0.01, &repaired) == BMR_OK)
-///         for (const bmr::Outline &outline : repaired)
-///             bmr::OutlineShape().Set(outline.GetRings()); // or bmr_outline_decompose
-///
 /// Where coordinates go. Results lie on a grid whose step is a power of two, from snap / 32 to snap / 16. No
 /// point of a boundary that results is farther than `snap` from the rings that were given, and no place that
 /// is farther than `snap` from all of them changes sides. So the area differs by at most the sum, over all
