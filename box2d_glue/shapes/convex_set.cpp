@@ -5,7 +5,7 @@
 
 #include "base/rounding_mode.h"
 #include "boomerang/convex_shape.h"
-#include "glue/contacts/contact_register.h"
+#include "glue/contacts/convex_contact.h"
 #include "shapes/big_polygons.h"
 #include "shapes/shapes32.h"
 

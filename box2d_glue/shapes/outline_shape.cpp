@@ -8,7 +8,7 @@
 #include <box2d/b2_world.h>
 
 #include "base/rounding_mode.h"
-#include "glue/contacts/contact_register.h"
+#include "glue/contacts/convex_contact.h"
 #include "shapes/big_polygons.h"
 #include "shapes/outline_record.h"
 

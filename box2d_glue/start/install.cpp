@@ -11,7 +11,7 @@
 #include "boomerang/box2d_glue.h"
 #include "debug/statistics.h"
 #include "debug/verify.h"
-#include "glue/contacts/contact_register.h"
+#include "glue/contacts/solid_contact.h"
 #include "glue/proofs/hull_pair.h"
 #include "glue/proofs/thresholds.h"
 #include "start/settings.h"

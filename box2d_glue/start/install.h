@@ -55,6 +55,8 @@ private:
 /// notes that it was called. About 0.1 ms, before anything of ours is registered. The answer lives until the
 /// next call.
 const char *WhyBox2DIsUnknown();
+/// The same, found out once for the process, on the first call from any thread.
+const char *WhyThisBox2DIsUnknown();
 
 /// Which of the versions that are known it is, "2.4.1" or "2.4.2": found out by what b2Distance does to the
 /// points of shapes whose skins overlap. For a Box2D that is known.

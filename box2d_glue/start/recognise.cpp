@@ -321,6 +321,12 @@ const char *WhyBox2DIsUnknown() {
     return nullptr;
 }
 
+const char *WhyThisBox2DIsUnknown() {
+    const HoldsProcessLock lock;
+    static const char *const why = WhyBox2DIsUnknown();
+    return why;
+}
+
 // Does its arithmetic round as ours?
 
 namespace {

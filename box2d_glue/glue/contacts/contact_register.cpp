@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "glue/contacts/contact_register.h"
+// Box2D's table of who makes contacts between which types of shapes. There is one for the process, so our
+// entries are made in one place. The earlier entry is called for all contacts that are not ours, and each
+// contact is destroyed by the code that made it.
+#include "glue/contacts/convex_contact.h"
 
 #include <atomic>
 
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 
-#include "glue/contacts/convex_contact.h"
-#include "glue/contacts/solid_contact.h"
 #include "start/install.h"
 
 namespace bmr {
@@ -92,12 +93,6 @@ template <typename Ours> Below Layer<Ours>::below[b2Shape::e_typeCount][b2Shape:
 std::atomic<bool> convexContactsAreOurs{false};
 
 } // namespace
-
-const char *WhyThisBox2DIsUnknown() {
-    const HoldsProcessLock lock;
-    static const char *const why = WhyBox2DIsUnknown();
-    return why;
-}
 
 void RegisterPolygonContacts() {
     const HoldsProcessLock lock;

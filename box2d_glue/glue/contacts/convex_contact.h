@@ -86,6 +86,12 @@ private:
     TwoFixtures Two() const { return {m_fixtureA, m_fixtureB, m_indexA}; }
 };
 
+/// Contacts of big ConvexShapes with polygons, circles, edges and chains are ours from here on. To be called
+/// before the first such shape is handed out; any number of times, from any thread. (A world that another
+/// thread steps meanwhile makes its contacts as before or as after.) BMR_ERROR_UNSUPPORTED where the Box2D
+/// of this process is none that the glue knows.
+bmr_error RegisterConvexContacts();
+
 static_assert(sizeof(ConvexContact) <= 224, "must stay in the block class of a stock contact");
 
 } // namespace bmr

@@ -206,6 +206,12 @@ private:
     using b2Contact::b2Contact;
 };
 
+/// Contacts of two polygons are ours from here on (PolygonContact). Once for a process, by Install, which
+/// knows that Box2D is one that the glue knows.
+void RegisterPolygonContacts();
+/// The same of contacts of edges and chains with polygons (EdgeContact), where Box2DCollidesEdgesAsExact32.
+void RegisterEdgeContacts();
+
 /// What an update changed, for CallListener.
 struct ContactChange {
     bool touched, touches; ///< before, and behind it
