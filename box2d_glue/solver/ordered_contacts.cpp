@@ -209,35 +209,43 @@ struct Point4 {
     float4 normalImpulse, tangentImpulse, normalMass, tangentMass, bias;
 };
 
-/// Four contacts of as many points, of which no two share a body that moves.
-struct FourVelocities {
-    VelocityConstraint *constraints[4];
-    b2Velocity *velocities;
-    Vec4 normal;
-    float4 friction, tangentSpeed, invMassA, invMassB, invIA, invIB;
-    Motion4 a, b;
+/// Four contacts of as many points, of which no two share a body that moves; fewer, and the first one again.
+template <typename Constraint> struct FourConstraints {
+    Constraint *constraints[4];
+    float4 invMassA, invMassB, invIA, invIB;
 
-    FourVelocities(VelocityConstraint *all, const OrderedContacts::Group &group, uint32_t count,
-                   b2Velocity *ofBodies)
-        : constraints{&all[group.contacts[0]], &all[group.Contact(1, count)], &all[group.Contact(2, count)],
-                      &all[group.Contact(3, count)]},
-          velocities(ofBodies) {
-        const Rows rows = Read(&constraints[0]->bodies.invMassA), first = Read(&constraints[0]->normal.x);
-        normal = {first.a, first.b};
-        friction = first.c;
-        tangentSpeed = first.d;
+    FourConstraints(Constraint *all, const OrderedContacts::Group &group, uint32_t count) {
+        for (uint32_t lane = 0; lane < 4; ++lane)
+            constraints[lane] = &all[group.contacts[lane < count ? lane : 0]];
+        const Rows rows = Read(&constraints[0]->bodies.invMassA);
         invMassA = rows.a;
         invMassB = rows.b;
         invIA = rows.c;
         invIB = rows.d;
-        a = ReadVelocities(&ContactBodies::indexA);
-        b = ReadVelocities(&ContactBodies::indexB);
     }
     /// `row`: of the first constraint; and the same of the others.
     Rows Read(const float *row) const {
-        const std::ptrdiff_t at = row - &constraints[0]->normal.x;
-        return Transposed(load4(row), load4(&constraints[1]->normal.x + at),
-                          load4(&constraints[2]->normal.x + at), load4(&constraints[3]->normal.x + at));
+        const std::ptrdiff_t at = row - &constraints[0]->bodies.invMassA;
+        const auto of = [&](int lane) { return load4(&constraints[lane]->bodies.invMassA + at); };
+        return Transposed(of(0), of(1), of(2), of(3));
+    }
+};
+
+struct FourVelocities : FourConstraints<VelocityConstraint> {
+    b2Velocity *velocities;
+    Vec4 normal;
+    float4 friction, tangentSpeed;
+    Motion4 a, b;
+
+    FourVelocities(VelocityConstraint *all, const OrderedContacts::Group &group, uint32_t count,
+                   b2Velocity *ofBodies)
+        : FourConstraints(all, group, count), velocities(ofBodies) {
+        const Rows first = Read(&constraints[0]->normal.x);
+        normal = {first.a, first.b};
+        friction = first.c;
+        tangentSpeed = first.d;
+        a = ReadVelocities(&ContactBodies::indexA);
+        b = ReadVelocities(&ContactBodies::indexB);
     }
     Point4 ReadPoint(int32 i) const {
         const Rows arms = Read(&constraints[0]->points[i].rA.x),
@@ -414,29 +422,22 @@ Vec4 Turned(const Vec4 &q, const Vec4 &v) {
     return {sub4(mul4(q.y, v.x), mul4(q.x, v.y)), add4(mul4(q.x, v.x), mul4(q.y, v.y))};
 }
 
-/// Four contacts of a face and as many points, of which no two share a body that moves.
-struct FourPositions {
-    const PositionConstraint *constraints[4];
+/// Of contacts of a face.
+struct FourPositions : FourConstraints<const PositionConstraint> {
     b2Position *positions;
     Rotations *rotations;
     float *a[4], *b[4];           ///< positions of the bodies
     int32 faces[4], incidents[4]; ///< the bodies again: whose face it is, and the other
     mask4 isFaceB, isNan, isDeep;
     Vec4 localNormal, localPoint, faceCenter, incidentCenter;
-    float4 invMassA, invMassB, invIA, invIB, radiusA, radiusB, side;
+    float4 radiusA, radiusB, side;
 
     FourPositions(const PositionConstraint *all, const OrderedContacts::Group &group, uint32_t count,
                   b2Position *ofBodies, Rotations *ofAngles)
-        : constraints{&all[group.contacts[0]], &all[group.Contact(1, count)], &all[group.Contact(2, count)],
-                      &all[group.Contact(3, count)]},
-          positions(ofBodies), rotations(ofAngles), isNan(less4(zero4(), zero4())), isDeep(isNan) {
-        const Rows masses = Read(&constraints[0]->bodies.invMassA),
-                   face = Read(&constraints[0]->localNormal.x),
+        : FourConstraints(all, group, count), positions(ofBodies), rotations(ofAngles),
+          isNan(less4(zero4(), zero4())), isDeep(isNan) {
+        const Rows face = Read(&constraints[0]->localNormal.x),
                    centers = Read(&constraints[0]->localCenterA.x), rest = Read(&constraints[0]->radiusA);
-        invMassA = masses.a;
-        invMassB = masses.b;
-        invIA = masses.c;
-        invIB = masses.d;
         localNormal = {face.a, face.b};
         localPoint = {face.c, face.d};
         radiusA = rest.a;
@@ -453,13 +454,6 @@ struct FourPositions {
             faces[i] = isB ? of.indexB : of.indexA;
             incidents[i] = isB ? of.indexA : of.indexB;
         }
-    }
-    /// `row`: of the first constraint; and the same of the others.
-    Rows Read(const float *row) const {
-        const std::ptrdiff_t at = row - &constraints[0]->localNormal.x;
-        return Transposed(load4(row), load4(&constraints[1]->localNormal.x + at),
-                          load4(&constraints[2]->localNormal.x + at),
-                          load4(&constraints[3]->localNormal.x + at));
     }
     Vec4 ReadRotations(const int32 *bodies) const {
         const auto of = [&](int i) { return &rotations->Of(bodies[i], positions[bodies[i]].a).s; };

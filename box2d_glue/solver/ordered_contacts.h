@@ -72,9 +72,6 @@ public:
         uint32_t contacts[4];
         uint8_t iterations[4];
         uint32_t next; ///< as in Level, of the same level and kind
-
-        /// The contact of a lane: the first one again, where there are fewer.
-        uint32_t Contact(uint32_t lane, uint32_t count) const { return contacts[lane < count ? lane : 0]; }
     };
 
     void Reserve(uint32_t bodies, uint32_t contacts);
