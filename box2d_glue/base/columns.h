@@ -147,12 +147,6 @@ public:
             m_rows[Place(keyOf(moved - 1), keyOf)] = moved;
         }
     }
-    /// Empty; the memory stays.
-    void Empty() {
-        for (uint32_t at = 0; at < m_size; ++at)
-            m_rows[at] = 0;
-        m_count = 0;
-    }
     /// Empty, and the memory is given back.
     void Clear() {
         m_rows.Clear();

@@ -44,10 +44,6 @@ const char *WhyRoundingIsAnother() {
     return Box2DCollidesEdgesAsExact32() ? nullptr : "edges collide by other rules in this Box2D";
 }
 
-void Announce(const Options &options) {
-    std::fprintf(stderr, "boomerang: %s; %s %s\n", NameOf(options.mode), TheWay(), VersionOfBox2D());
-}
-
 } // namespace
 
 void SetWay(const char *way, const char *whyNotAhead) {
@@ -117,7 +113,7 @@ bool Install(const Options &given) {
     if (options.mode == Mode::Verify)
         CallAtEnd(SayVerified);
     if (options.verbosity > 0 && ClaimAnnouncement())
-        Announce(options);
+        std::fprintf(stderr, "boomerang: %s; %s %s\n", NameOf(options.mode), TheWay(), VersionOfBox2D());
     return true;
 }
 

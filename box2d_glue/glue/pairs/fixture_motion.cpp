@@ -163,10 +163,6 @@ void FixtureMotions::Clear() {
     m_free = kNone;
 }
 
-void FixtureMotions::Mark(uint32_t row) {
-    bmr_mover_mark(&m_rows[row].mover);
-}
-
 /// Is the shape another one than at the last update? Measures it anew then. About 10 ns where it is the same.
 bool FixtureMotions::UpdateShape(FixtureMotion *motion, uint8_t *bits) const {
     const b2PolygonShape *polygon = PolygonOf(*motion->fixture);
@@ -279,7 +275,7 @@ void FixtureMotions::Update(uint32_t row, const b2BroadPhase &broadPhase, uint64
     else if (late)
         bits |= before & (kChanged | kChangedLate);
     if (mark)
-        Mark(row);
+        bmr_mover_mark(&motion.mover);
     motion.late = late ? motion.late + (motion.mover.moved - m_moved[row]) : 0;
     m_sumsLost = m_sumsLost || motion.late > kMostLate;
     m_bits[row] = bits;

@@ -175,7 +175,6 @@ private:
     void Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_t stamp);
     bool UpdateShape(FixtureMotion *motion, uint8_t *bits) const;
     static bool ChangesBand(FixtureMotion *motion, uint8_t *bits);
-    void Mark(uint32_t row);
 
     Column<FixtureMotion> m_rows;
     Column<uint32_t> m_moved, m_ends;

@@ -8,13 +8,6 @@
 
 namespace bmr {
 
-namespace {
-
-// Half of the pairs may be of contacts that have ended before the others get their numbers.
-constexpr uint32_t kFewPairs = 64;
-
-} // namespace
-
 void PairTable::Reserve(uint32_t count) {
     m_pairs.Reserve(count);
     m_lines.Reserve(count);
@@ -30,12 +23,17 @@ void PairTable::Reserve(uint32_t count) {
 }
 
 bool PairTable::Follow() {
+    // Half of the pairs may be of contacts that have ended before the others get their numbers.
+    constexpr uint32_t kFewPairs = 64;
     TrimEnd();
     const uint32_t live = static_cast<uint32_t>(m_live);
     if (m_count > 2 * live + kFewPairs)
         Compact();
-    if (!CatchUp() && !Begin())
-        return false;
+    if (!CatchUp()) {
+        Empty(); // and begins anew, with all contacts of the world
+        if (!CatchUp())
+            return false;
+    }
     if (m_interrupted || motions.AreSumsLost()) {
         DropAllProofs();
         for (uint32_t i = 0; i < m_count; ++i) // Box2D's list may have updated contacts of pairs that sleep
@@ -80,16 +78,10 @@ bool PairTable::CatchUp() {
     return true;
 }
 
-/// Of all contacts of the world.
-bool PairTable::Begin() {
-    Empty();
-    return CatchUp();
-}
-
 void PairTable::Empty() {
     GiveMarksBack();
     motions.Clear();
-    fixturePairs.Empty();
+    fixturePairs.Clear();
     hullPairs.Clear();
     m_count = 0;
     m_live = m_awakeCount = 0;

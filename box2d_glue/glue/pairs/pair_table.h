@@ -81,7 +81,7 @@ public:
         m_digests[to] = m_digests[from];
         m_table.Renumber(from, to, KeyOf{*this});
     }
-    void Empty() { m_table.Empty(); }
+    void Clear() { m_table.Clear(); }
 
     bool HaveContact(const b2FixtureProxy &a, const b2FixtureProxy &b) const {
         return m_table.Find(DigestOf(a.fixture, a.childIndex) + DigestOf(b.fixture, b.childIndex),
@@ -449,7 +449,6 @@ private:
     /// The number of a contact that is about to end (it may have been made since), kNone where it has none.
     uint32_t FindNumber(const b2Contact *contact);
     void TrimEnd();
-    bool Begin();
     void Reserve(uint32_t count);
     void Put(uint32_t i, b2Contact *contact);
     void Remove(uint32_t i);

@@ -164,10 +164,6 @@ bool SetBigProxy(b2DistanceProxy *proxy, const b2Shape &shape) {
     return true;
 }
 
-bool IsBig(const b2DistanceProxy &proxy) {
-    return BigOf(proxy) != nullptr;
-}
-
 bool BigDistance(b2DistanceOutput *output, b2SimplexCache *cache, const b2DistanceInput &input) {
     Two two;
     if (!Find(input.proxyA, input.proxyB, &two))

@@ -53,9 +53,6 @@ inline void SetProxy(b2DistanceProxy *proxy, const b2Shape &shape, int32 child) 
         proxy->Set(&shape, child);
 }
 
-/// Is it marked, and does the mark count?
-bool IsBig(const b2DistanceProxy &proxy);
-
 /// b2Distance where one of the two is big; false, and nothing done, of all others. The cache counts as warm
 /// only where its 8-bit numbers can be meant.
 bool BigDistance(b2DistanceOutput *output, b2SimplexCache *cache, const b2DistanceInput &input);

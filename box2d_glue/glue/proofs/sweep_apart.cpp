@@ -88,14 +88,6 @@ ImpactScan *ImpactScan::Begin() {
     return scan;
 }
 
-namespace {
-
-bool Stays(const b2Sweep &sweep) {
-    return sweep.c0 == sweep.c && sweep.a0 == sweep.a;
-}
-
-} // namespace
-
 inline bool ImpactScan::Resting::IsOf(const b2DistanceProxy &proxy, const Side &side) const {
     static_assert(offsetof(b2Sweep, alpha0) == sizeof sweep);
     // All of them are floats without padding, and the same bits make the same shape.
@@ -109,7 +101,8 @@ inline bool ImpactScan::Resting::IsOf(const b2DistanceProxy &proxy, const Side &
 
 inline void ImpactScan::Resting::Set(const b2DistanceProxy &proxy, const Side &side) {
     count = 0;
-    if (proxy.m_count > BMR_SWEPT32_MOST || !Stays(side.sweep))
+    const b2Sweep &its = side.sweep;
+    if (proxy.m_count > BMR_SWEPT32_MOST || !(its.c0 == its.c && its.a0 == its.a))
         return;
     count = proxy.m_count;
     radius = proxy.m_radius;

@@ -4,12 +4,12 @@
 
 #include <cstdint>
 
+#include <box2d/b2_body.h>
 #include <box2d/b2_fixture.h>
 
 #include "boomerang/convex_shape.h"
 #include "boomerang/outline.h"
 
-class b2Body;
 class b2Contact;
 
 /// @file
@@ -90,7 +90,14 @@ public:
     /// Calls function(b2Fixture &) with each fixture of this outline that the body has, which it may destroy:
     ///
     ///     outline.ForEachFixture(body, [](b2Fixture &piece) { piece.SetFriction(0.2f); });
-    template <typename Function> void ForEachFixture(b2Body *body, Function function) const;
+    template <typename Function> void ForEachFixture(b2Body *body, Function function) const {
+        for (b2Fixture *fixture = body->GetFixtureList(); fixture != nullptr;) {
+            b2Fixture *const next = fixture->GetNext();
+            if (Has(*fixture))
+                function(*fixture);
+            fixture = next;
+        }
+    }
 
     /// The outline that a fixture is a piece of; if it is none, an outline without points. O(1).
     static OutlineShape From(const b2Fixture *fixture);
@@ -124,15 +131,6 @@ private:
 ///
 /// and the same in EndContact. O(contacts of the one of the two bodies that is dynamic).
 BMR_BOX2D_API bool TouchesAlone(const b2Contact &contact);
-
-template <typename Function> inline void OutlineShape::ForEachFixture(b2Body *body, Function function) const {
-    for (b2Fixture *fixture = body->GetFixtureList(); fixture != nullptr;) {
-        b2Fixture *const next = fixture->GetNext();
-        if (Has(*fixture))
-            function(*fixture);
-        fixture = next;
-    }
-}
 
 } // namespace bmr
 
