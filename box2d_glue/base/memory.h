@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <new>
+#include <type_traits>
 
 namespace bmr {
 
@@ -42,7 +44,11 @@ template <typename T> struct GlueAllocator {
 /// may still step a world. One load after the first use: the pointer needs no check of an initialiser. (T
 /// itself is on the heap: large thread-local objects would eat the small stacks that some programs give their
 /// threads.)
+///
+/// Where zeros do for a constructor and nothing for a destructor, T costs nothing until it is used: the
+/// system hands out large blocks zeroed, page by page.
 template <typename T> T *PerThread() {
+    constexpr bool kPlain = std::is_trivially_copyable<T>::value;
     // Both have no destructors: they are good for as long as the thread runs at all.
     static thread_local T *mine = nullptr;
     static thread_local bool ended = false;
@@ -55,14 +61,20 @@ template <typename T> T *PerThread() {
             ended = true;
             if (dying == nullptr)
                 return;
-            dying->~T();
+            if constexpr (!kPlain)
+                dying->~T();
             std::free(dying);
         }
         // (A thread_local is made, and its destructor noted, where it is first used.)
         void Take(T *made) const { mine = made; }
     };
     static thread_local Owner owner;
-    owner.Take(new (TakeMemory(nullptr, sizeof(T))) T());
+    if constexpr (kPlain) {
+        constexpr size_t bytes = sizeof(T);
+        void *const memory = TakeMemory(nullptr, bytes);
+        owner.Take(static_cast<T *>(std::memset(memory, 0, bytes)));
+    } else
+        owner.Take(new (TakeMemory(nullptr, sizeof(T))) T());
     return mine;
 }
 

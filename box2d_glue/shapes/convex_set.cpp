@@ -206,7 +206,7 @@ bmr_error ConvexShape::Set(const b2Vec2 *points, int32 count) {
 }
 
 bmr_error ConvexShape::Set(const b2Vec2 *points, int32 count, Welded *welded) {
-    return SetHull(points, count, Weld::Allowed, welded);
+    return welded != nullptr ? SetHull(points, count, Weld::Allowed, welded) : BMR_ERROR_NULL_ARGUMENT;
 }
 
 bmr_error ConvexShape::SetHull(const b2Vec2 *points, int32 count, Weld weld, Welded *welded) {

@@ -2,13 +2,11 @@
 #include "solver/island_solver.h"
 
 #include <cmath>
-#include <optional>
 
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_joint.h>
-#include <box2d/b2_timer.h>
 #include <box2d/b2_world_callbacks.h>
 
 #include "base/private_members.h"
@@ -155,10 +153,9 @@ bool IslandSolver::SolveTogether(Island *islands, uint32_t count) {
     all.endJoint = last.endJoint;
     const bool isBound = all.firstContact < all.endContact || all.firstJoint < all.endJoint;
     // An island that has neither contacts nor joints is not timed: it is solved faster than the clock is read.
-    std::optional<b2Timer> timer;
     if (isBound)
-        timer.emplace();
-    const auto milliseconds = [&timer] { return timer.has_value() ? timer->GetMilliseconds() : 0.0f; };
+        m_timer.Reset();
+    const auto milliseconds = [&] { return isBound ? m_timer.GetMilliseconds() : 0.0f; };
     Prepare(all);
     const float initialized = milliseconds();
     if (isBound)

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <box2d/b2_time_step.h>
+#include <box2d/b2_timer.h>
 
 #include "base/columns.h"
 #include "base/memory.h"
@@ -130,6 +131,7 @@ private:
     b2TimeStep m_step = {};
     b2ContactListener *m_listener = nullptr;
     b2Profile m_profile = {};
+    b2Timer m_timer; ///< of islands that are solved together
 };
 
 } // namespace bmr

@@ -117,7 +117,7 @@ public:
 
     /// The rest of b2DynamicTree::MoveProxy of a leaf that is in the tree; `fat` is finite. Box2D frees the
     /// leaf's parent, and the first free node, which is that one, becomes its parent again.
-    BMR_NOINLINE void Move(int32 leaf, const b2AABB &fat) {
+    void Move(int32 leaf, const b2AABB &fat) {
         b2TreeNode &node = m_nodes[leaf];
         node.aabb = fat;
         node.moved = true;
@@ -254,7 +254,7 @@ private:
 
 // b2DynamicTree::MoveProxy: the same tree by the same arithmetic, with boxes in registers and without a call
 // for each node that is balanced. Box2D's own function is to be asked for ids that are none of a leaf in the
-// tree, on which it asserts, and for boxes that are not valid. Rounding is to nearest, as Box2D's.
+// tree, on which it asserts, and for boxes that are not finite. Rounding is to nearest, as Box2D's.
 
 inline b2AABB Larger(const b2AABB &aabb, const b2Vec2 &margin) {
     b2AABB larger;
@@ -278,18 +278,21 @@ inline bool Stays(const b2AABB &leaf, const b2AABB &aabb, const b2AABB &fat) {
            Larger(fat, 4.0f * b2Vec2(b2_aabbExtension, b2_aabbExtension)).Contains(leaf);
 }
 
+BMR_NOINLINE inline void MoveLeaf(b2DynamicTree *tree, int32 id, const b2AABB &fat) {
+    TreeEdit(tree).Move(id, fat);
+}
+
 /// Says whether it did it. If it did not, nothing was written.
 inline bool MoveHere(b2DynamicTree *tree, int32 id, const b2AABB &aabb, const b2Vec2 &displacement,
                      bool *moved) {
     b2AABB fat = Larger(aabb, b2Vec2(b2_aabbExtension, b2_aabbExtension));
     Foretell(displacement.x, &fat.lowerBound.x, &fat.upperBound.x);
     Foretell(displacement.y, &fat.lowerBound.y, &fat.upperBound.y);
-    TreeEdit edit(tree);
-    if (!fat.IsValid() || !edit.HasLeaf(id))
+    if (!fat.lowerBound.IsValid() || !fat.upperBound.IsValid() || !TreeEdit(tree).HasLeaf(id))
         return false;
     *moved = !Stays((tree->*Named(TreeNodes()))[id].aabb, aabb, fat);
     if (*moved) // most stay, and need no edit
-        edit.Move(id, fat);
+        MoveLeaf(tree, id, fat);
     return true;
 }
 

@@ -143,7 +143,7 @@ bool PolygonContact::Serves(const b2Shape &a, const b2Shape &b) {
 /// b2PolygonContact::Evaluate. Ahead of it the edge that is remembered is asked, or the structure of the two
 /// bodies. Not if the two touched at the last update: most likely they touch still. (Then their own manifold
 /// has points; the caller's may be uninitialised.)
-void PolygonContact::Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
+inline void PolygonContact::Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
     const bool toNearest = RoundsToNearest(), hulls = PairsAreHulls();
     Answer answer = m_manifold.pointCount > 0 ? Answer::Touching : Answer::HandedOver;
     if (answer == Answer::HandedOver && toNearest &&
