@@ -117,10 +117,10 @@ struct ComparingQuery {
 void VerifyContact(const b2Contact &contact) {
     const b2Fixture *const a = contact.GetFixtureA(), *const b = contact.GetFixtureB();
     if (a->IsSensor() || b->IsSensor()) {
-        VerifyOverlap(a, b, contact.IsTouching(),
-                      b2TestOverlap(a->GetShape(), contact.GetChildIndexA(), b->GetShape(),
-                                    contact.GetChildIndexB(), a->GetBody()->GetTransform(),
-                                    b->GetBody()->GetTransform()));
+        VerifyAnswer("a sensor's overlap", a, b, contact.IsTouching(),
+                     b2TestOverlap(a->GetShape(), contact.GetChildIndexA(), b->GetShape(),
+                                   contact.GetChildIndexB(), a->GetBody()->GetTransform(),
+                                   b->GetBody()->GetTransform()));
         return;
     }
     b2Manifold box2d;
@@ -144,17 +144,14 @@ void SayVerified() {
                  GetCounts().verified.load(), GetCounts().differences.load());
 }
 
-void VerifyExists(const b2Fixture &a, const b2Fixture &b, bool ours, bool box2d) {
-    Compared(ours == box2d, "whether a contact exists", &a, &b);
-}
-
 void VerifyManifold(const b2Fixture *fixtureA, const b2Fixture *fixtureB, const b2Manifold &ours,
                     const b2Manifold &box2d) {
     Compared(Same(ours, box2d), "a manifold", fixtureA, fixtureB);
 }
 
-void VerifyOverlap(const b2Fixture *fixtureA, const b2Fixture *fixtureB, bool ours, bool box2d) {
-    Compared(ours == box2d, "a sensor's overlap", fixtureA, fixtureB);
+void VerifyAnswer(const char *what, const b2Fixture *fixtureA, const b2Fixture *fixtureB, bool ours,
+                  bool box2d) {
+    Compared(ours == box2d, what, fixtureA, fixtureB);
 }
 
 } // namespace bmr

@@ -28,15 +28,15 @@ void VerifyContact(const b2Contact &contact);
 /// The pairs of the moved proxies that overlap others, in Box2D's order.
 void VerifyPairs(const b2DynamicTree &tree, const int32 *moves, int32 count, const b2Pair *found,
                  int32 foundCount);
-/// Is there a contact of these two already?
-void VerifyExists(const b2Fixture &a, const b2Fixture &b, bool ours, bool box2d);
 
 /// Two manifolds are the same where both have no points, or all fields that have a meaning agree to the bit
 /// (zeros of either sign are equal, and so are numbers that are none). The fixtures name the two in the line;
 /// nullptr where they are not known.
 void VerifyManifold(const b2Fixture *fixtureA, const b2Fixture *fixtureB, const b2Manifold &ours,
                     const b2Manifold &box2d);
-void VerifyOverlap(const b2Fixture *fixtureA, const b2Fixture *fixtureB, bool ours, bool box2d);
+/// `what` of the two, in a few words.
+void VerifyAnswer(const char *what, const b2Fixture *fixtureA, const b2Fixture *fixtureB, bool ours,
+                  bool box2d);
 
 /// One line on stderr: how many answers were compared and how many differed, also where none was. For
 /// CallAtEnd.

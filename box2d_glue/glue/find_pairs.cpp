@@ -125,7 +125,8 @@ private:
             return LinkedContact::ExistsInList(a, b);
         const bool exists = m_table->fixturePairs.HaveContact(a, b);
         if (Verifying())
-            VerifyExists(*a.fixture, *b.fixture, exists, LinkedContact::ExistsInList(a, b));
+            VerifyAnswer("whether a contact exists", a.fixture, b.fixture, exists,
+                         LinkedContact::ExistsInList(a, b));
         return exists;
     }
 

@@ -18,11 +18,6 @@ namespace bmr {
 
 namespace {
 
-ContactBodies BodiesOf(const b2Body &a, const b2Body &b) {
-    return {a.*Named(IslandIndex()), b.*Named(IslandIndex()),    a.*Named(InverseMass()),
-            b.*Named(InverseMass()), a.*Named(InverseInertia()), b.*Named(InverseInertia())};
-}
-
 /// The normal from A to B, and the points half way between the two surfaces: b2WorldManifold.
 struct WorldPoints {
     b2Vec2 normal, points[b2_maxManifoldPoints];
@@ -220,7 +215,9 @@ void Read(const b2Contact &contact, VelocityConstraint *velocity, PositionConstr
     const b2Fixture *const fixtureA = contact.GetFixtureA(), *const fixtureB = contact.GetFixtureB();
     const b2Body *const bodyA = fixtureA->GetBody(), *const bodyB = fixtureB->GetBody();
     const b2Manifold &manifold = *contact.GetManifold();
-    const ContactBodies bodies = BodiesOf(*bodyA, *bodyB);
+    const ContactBodies bodies = {bodyA->*Named(IslandIndex()),    bodyB->*Named(IslandIndex()),
+                                  bodyA->*Named(InverseMass()),    bodyB->*Named(InverseMass()),
+                                  bodyA->*Named(InverseInertia()), bodyB->*Named(InverseInertia())};
     velocity->bodies = bodies;
     velocity->friction = contact.GetFriction();
     velocity->restitution = contact.GetRestitution();

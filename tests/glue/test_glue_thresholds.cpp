@@ -247,15 +247,15 @@ TEST_CASE("a side too short for a direction: Box2D gives points far away, and no
         pair.b = &hullB;
         if (side < FLT_EPSILON) {
             CHECK(hullA.Shape().polygon == nullptr); // contacts leave such a pair alone
-            CHECK_FALSE(hullA.MakeHold(*a->GetFixtureList(), 0));
+            CHECK_FALSE(hullA.MakeHold(*a->GetFixtureList()));
         } else {
-            CHECK(hullA.MakeHold(*a->GetFixtureList(), 0));
+            CHECK(hullA.MakeHold(*a->GetFixtureList()));
             CHECK(bmr::KnownApart(&pair, a->GetTransform(), b->GetTransform()));
         }
         // In place, inside of the hull of what it was.
         if (side > FLT_EPSILON) {
             *static_cast<b2PolygonShape *>(a->GetFixtureList()->GetShape()) = CutNeedle(1e-8f);
-            CHECK_FALSE(hullA.MakeHold(*a->GetFixtureList(), 0));
+            CHECK_FALSE(hullA.MakeHold(*a->GetFixtureList()));
         }
     }
 }

@@ -55,7 +55,7 @@ bool Differ(const b2Manifold &ours, const b2Manifold &box2d) {
 }
 
 bool Differ(bool ours, bool box2d) {
-    return OneDiffers(By([&] { bmr::VerifyOverlap(nullptr, nullptr, ours, box2d); }));
+    return OneDiffers(By([&] { bmr::VerifyAnswer("a sensor's overlap", nullptr, nullptr, ours, box2d); }));
 }
 
 bool Holds(const std::string &text, const std::string &part) {
@@ -154,14 +154,14 @@ TEST_CASE("the first difference is described with its step, its question and its
     const std::string manifold = By([&] { bmr::VerifyManifold(fixture, nullptr, none, TwoPoints()); }).line;
     CHECK(Holds(manifold, "boomerang: first difference from Box2D, step 0: a manifold; fixture 0x"));
     CHECK(Holds(manifold, " (at 3, -4, angle 0.5)\n"));
-    CHECK(Holds(By([&] { bmr::VerifyOverlap(fixture, fixture, true, false); }).line,
+    CHECK(Holds(By([&] { bmr::VerifyAnswer("a sensor's overlap", fixture, fixture, true, false); }).line,
                 "a sensor's overlap; fixture 0x"));
 }
 
 TEST_CASE("of many differences the first alone is described") {
     const Verdict verdict = By([] {
         for (int i = 0; i < 3; ++i)
-            bmr::VerifyOverlap(nullptr, nullptr, true, false);
+            bmr::VerifyAnswer("a sensor's overlap", nullptr, nullptr, true, false);
     });
     CHECK(verdict.differences == 3);
     CHECK(Holds(verdict.line, "first difference"));

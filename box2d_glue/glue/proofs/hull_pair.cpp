@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
 #include <utility>
 
 #include <box2d/b2_body.h>
@@ -36,21 +35,11 @@ void AddVertices(const b2PolygonShape &polygon, HullVector<bmr_vec2> *points) {
 bmr_hierarchy *BuildHierarchy(const bmr_polygon *polygon) {
     const Settings &settings = GetSettings();
     bmr_hierarchy *hierarchy = nullptr;
-    switch (settings.pairDef.structure) {
-    case BMR_LAZY_COMPASS:
+    if (settings.pairDef.structure == BMR_LAZY_COMPASS)
         (void)bmr_hierarchy_build_compass(polygon, settings.compass, nullptr, &hierarchy);
-        break;
-    case BMR_LAZY_DUDLEY:
+    else if (settings.pairDef.structure == BMR_LAZY_DUDLEY)
         (void)bmr_hierarchy_build_dudley(polygon, nullptr, &hierarchy);
-        break;
-    default:
-        break;
-    }
     return hierarchy;
-}
-
-bool ComesBefore(const b2Fixture *a, const b2Fixture *b) {
-    return std::less<const b2Fixture *>()(a, b);
 }
 
 } // namespace
@@ -68,8 +57,6 @@ bool Hull::Gather(HullVector<bmr_vec2> *points) {
         m_radius = std::max(m_radius, polygon->m_radius);
         AddVertices(*polygon, points);
     }
-    std::sort(m_members.begin(), m_members.end(),
-              [](const Member &a, const Member &b) { return ComesBefore(a.fixture, b.fixture); });
     return true;
 }
 
@@ -105,11 +92,10 @@ const bmr_hierarchy *Hull::Hierarchy() const {
 }
 
 bool Hull::Holds(const b2Fixture &fixture) const {
-    const auto member =
-        std::lower_bound(m_members.begin(), m_members.end(), &fixture,
-                         [](const Member &a, const b2Fixture *f) { return ComesBefore(a.fixture, f); });
-    return member != m_members.end() && member->fixture == &fixture &&
-           member->digest == DigestOf(*PolygonOf(fixture));
+    for (const Member &member : m_members)
+        if (member.fixture == &fixture)
+            return member.digest == DigestOf(*PolygonOf(fixture));
+    return false;
 }
 
 bool Hull::MakeHold(const b2Fixture &fixture) {
@@ -170,8 +156,7 @@ bool KnownApart(HullPair *pair, const b2Transform &poseA, const b2Transform &pos
     }
     if (!sameHulls) // also where the pair is out of reach: the next question finds these versions
         bmr_pair_init(&pair->kinetic);
-    pair->apart =
-        IsWithinReach(*pair, poseA, poseB) && Advance(pair, Relative(poseA, poseB)) == BMR_APART;
+    pair->apart = IsWithinReach(*pair, poseA, poseB) && Advance(pair, Relative(poseA, poseB)) == BMR_APART;
     pair->poseA = poseA;
     pair->poseB = poseB;
     pair->versionA = pair->a->Version();

@@ -65,7 +65,7 @@ private:
     double m_reach = 0.0;
     float m_radius = 0.0f;
     uint32_t m_version = 0;
-    HullVector<Member> m_members; ///< by address
+    HullVector<Member> m_members;
 };
 
 /// A compass has directions for hulls of up to so many vertices. Larger ones work as a free direction, which
