@@ -244,7 +244,8 @@ void Builder::ShareMass(OutlineRecord *record) {
     double shared = 0.0;
     ForEachMass([&](bmr_mass32 &mass) {
         const double least = leastOwn(mass);
-        const bmr_vec2 moved = bmr_add(record->centroid, bmr_scale(scale, bmr_sub(Double(mass.centroid), centre)));
+        const bmr_vec2 moved =
+            bmr_add(record->centroid, bmr_scale(scale, bmr_sub(Double(mass.centroid), centre)));
         mass.inertia =
             static_cast<float>(std::max(square * share * static_cast<double>(mass.inertia), least));
         mass.area = static_cast<float>(share * static_cast<double>(mass.area));
@@ -363,14 +364,12 @@ struct Whole {
             const OutlineRecord *record = OutlineRecordOf(*fixture.GetShape());
             const double density = static_cast<double>(fixture.GetDensity()),
                          part = record != nullptr ? record->ownPart : 1.0;
-            return Add(density * static_cast<double>(share.area),
-                       Double(share.centroid),
+            return Add(density * static_cast<double>(share.area), Double(share.centroid),
                        part * density * static_cast<double>(share.inertia));
         }
         Weighing alone;
         alone.Add(said);
-        Add(static_cast<double>(said.mass),
-            Double(said.center),
+        Add(static_cast<double>(said.mass), Double(said.center),
             static_cast<double>(said.I) - static_cast<double>(alone.OfCentre()));
     }
     double OfCentre() const { return bmr_dot(moment, moment) / mass; }

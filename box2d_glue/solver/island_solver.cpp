@@ -152,7 +152,8 @@ bool IslandSolver::SolveTogether(Island *islands, uint32_t count) {
     all.endContact = last.endContact;
     all.endJoint = last.endJoint;
     const bool isBound = all.firstContact < all.endContact || all.firstJoint < all.endJoint;
-    // An island that has neither contacts nor joints is not timed: it is solved faster than the clock is read.
+    // An island that has neither contacts nor joints is not timed: it is solved faster than the clock is
+    // read.
     if (isBound)
         m_timer.Reset();
     const auto milliseconds = [&] { return isBound ? m_timer.GetMilliseconds() : 0.0f; };

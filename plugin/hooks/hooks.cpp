@@ -27,9 +27,9 @@
 #    include "interposed/real.h"
 #endif
 
-// Box2D's own functions, for the hooks: `stock::FindNewContacts(manager)` is what `manager->FindNewContacts()`
-// would be without us. How calls get to a hook, and how a hook gets to what it stands in front of, is one of
-// two ways:
+// Box2D's own functions, for the hooks: `stock::FindNewContacts(manager)` is what
+// `manager->FindNewContacts()` would be without us. How calls get to a hook, and how a hook gets to what it
+// stands in front of, is one of two ways:
 //
 // - interposed: Box2D is a shared library, and this one stands ahead of it for the loader. What is asked for
 //   here is looked up by name behind this library.

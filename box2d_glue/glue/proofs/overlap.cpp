@@ -16,8 +16,8 @@ namespace bmr {
 
 namespace {
 
-/// Two shapes at their poses. thresholds.md beside this derives what b2Distance says of them. Of shapes that are
-/// deep inside each other it says 0, or what its arithmetic is off by (Rounding), which their skins must
+/// Two shapes at their poses. thresholds.md beside this derives what b2Distance says of them. Of shapes that
+/// are deep inside each other it says 0, or what its arithmetic is off by (Rounding), which their skins must
 /// cover. Of others it is right where it ends because a support came twice.
 struct PlacedShapes {
     b2DistanceProxy a, b;

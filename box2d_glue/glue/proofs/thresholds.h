@@ -15,8 +15,8 @@ constexpr double kRoundingMargin = 0.2 * b2_linearSlop;
 
 /// b2CollidePolygons clips in world coordinates, each as large as X. A moved point is off by 1.4 units of X,
 /// its product with a normal by 3, a clipped corner in all by 16.5 (units are halves of FLT_EPSILON;
-/// thresholds.md beside this has the derivation, test_glue_threshold_bounds computes it). So up to this distance
-/// from the origin all of it stays within kRoundingMargin; beyond, pairs go to Box2D.
+/// thresholds.md beside this has the derivation, test_glue_threshold_bounds computes it). So up to this
+/// distance from the origin all of it stays within kRoundingMargin; beyond, pairs go to Box2D.
 constexpr double kReach = kRoundingMargin / (16.0 * FLT_EPSILON);
 
 /// Turning a point rounds more than moving it: a body's extent counts so much more than its place.
