@@ -30,6 +30,7 @@ float LargestCoordinate(const b2Vec2 &a, const b2Vec2 &b) {
 SweptShape Sweep(const b2DistanceProxy &proxy, const b2Sweep &sweep, const b2Rot &rotation) {
     SweptShape swept;
     swept.radius = proxy.m_radius;
+    swept.tilt = 0.0f;
     swept.rounding = std::numeric_limits<float>::infinity();
     if (proxy.m_count < 1 || proxy.m_count > BMR_SWEPT32_MOST) {
         swept.points = {};
