@@ -34,7 +34,6 @@ SweptShape Sweep(const b2DistanceProxy &proxy, const b2Sweep &sweep, const b2Rot
     swept.rounding = std::numeric_limits<float>::infinity();
     if (proxy.m_count < 1 || proxy.m_count > BMR_SWEPT32_MOST) {
         swept.points = {};
-        swept.tilt = 0.0f; // which nothing reads, but a copy of it
         return swept;
     }
     bmr_motion32 motion;
