@@ -18,6 +18,7 @@
 
 namespace oracle {
 
+using exact::Distance;
 using shapes::Below;
 using shapes::Engine;
 using shapes::Uniform;
@@ -86,11 +87,6 @@ inline exact::Posed Placed(const Polygon &polygon, const bmr_pose &pose) {
 }
 inline exact::Posed Placed(const Polygon &polygon, const b2Transform &xf) {
     return Placed(polygon, bmr_pose{{xf.p.x, xf.p.y}, xf.q.c, xf.q.s});
-}
-
-/// 0 where they overlap.
-inline double Distance(const exact::Posed &a, const exact::Posed &b) {
-    return static_cast<double>(std::max(0.0L, exact::SignedDistance(a, b)));
 }
 
 inline exact::Posed At(const Polygon &polygon, const b2Sweep &sweep, double t) {

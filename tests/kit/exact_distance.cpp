@@ -266,6 +266,15 @@ Gap GapOf(const Posed &a, const Posed &b) {
     return {nearest.place, border.IsInside(), nearest.corner};
 }
 
+double Distance(const Posed &a, const Posed &b) {
+    const Border border(a, b);
+    if (border.IsInside())
+        return 0.0;
+    const auto low = static_cast<double>(border.GetSteps().Low()),
+               high = static_cast<double>(border.GetSteps().High());
+    return low == high ? low : static_cast<double>(RoundedRoot(Square(border.NearestPoint().place)));
+}
+
 long double SignedDistance(const Posed &a, const Posed &b) {
     const Gap gap = GapOf(a, b);
     return gap.overlap ? -RoundedRoot(Square(gap.way)) : RoundedRoot(Square(gap.way));
@@ -302,12 +311,5 @@ long double NearDistance(const Posed &a, const Posed &b) {
 } // namespace exact
 
 double test_distance(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose *b_in_a) {
-    const exact::Posed here = exact::PosedOf(a), there = exact::PosedOf(b, *b_in_a);
-    const exact::Border border(here, there);
-    if (border.IsInside())
-        return 0.0;
-    const auto low = static_cast<double>(border.GetSteps().Low()),
-               high = static_cast<double>(border.GetSteps().High());
-    return low == high ? low
-                       : static_cast<double>(exact::RoundedRoot(exact::Square(border.NearestPoint().place)));
+    return exact::Distance(exact::PosedOf(a), exact::PosedOf(b, *b_in_a));
 }

@@ -54,6 +54,9 @@ inline mpq_class SquaredDistance(const Posed &a, const Posed &b) {
     return gap.overlap ? mpq_class(0) : Square(gap.way);
 }
 
+/// The same, not squared. Rounded once.
+double Distance(const Posed &a, const Posed &b);
+
 /// The distance; where they overlap, minus the least depth. Rounded to long double.
 long double SignedDistance(const Posed &a, const Posed &b);
 

@@ -20,6 +20,7 @@ namespace {
 constexpr float kSlop = 0.005f;
 constexpr size_t kMost = 40;
 
+using exact::Distance;
 using exact::Posed;
 
 /// A polygon, or one or two points, with a skin.
@@ -126,11 +127,6 @@ Posed Placed(const Shape &shape, const bmr_pose &pose) {
 
 Posed Placed(const Shape &shape, const bmr_transform32 &pose) {
     return Placed(shape, bmr_pose{{pose.p.x, pose.p.y}, pose.c, pose.s});
-}
-
-/// 0 where they overlap.
-double Distance(const Posed &a, const Posed &b) {
-    return static_cast<double>(std::max(0.0L, exact::SignedDistance(a, b)));
 }
 
 struct Pair {
