@@ -42,6 +42,8 @@ struct bmr_simulation {
     bmr_simulation_observer observer;
     void *context;
     double time, reached; ///< now; as far as any run went
+    bool inside;          ///< a run or a replan is at work: the observer may be called
+    bool replan;          ///< a plan was changed, and nothing was searched since
 
     next_event next;
     double due;              ///< when `next` takes place; nothing happens before
@@ -93,8 +95,11 @@ static bmr_error find_event(bmr_simulation *s, const bmr_condition *conditions, 
     return error;
 }
 
-/// Finds the next event in (s->from, to]; if there is none, the search goes on after `to`.
+/// Finds the next event in (s->from, to]; if there is none, the search goes on after `to`. After an error it
+/// begins again where it began.
 static bmr_error search(bmr_simulation *s, double to) {
+    s->searched = s->from;
+    expect(s, NONE, s->from);
     const bmr_pair_motion motion = motion_of(s);
     bmr_condition conditions[BMR_KDS_MAX_CONDITIONS];
     const bool contact = bmr_kds_in_contact(s->kds);
@@ -203,6 +208,21 @@ static bool is_burst(bmr_simulation *s, double time) {
     return ++s->burst > BMR_SIMULATION_BURST;
 }
 
+/// Starts the structure where a new plan jumps, and finds the next event.
+static bmr_error go_on(bmr_simulation *s, double until) {
+    while (s->replan) {
+        s->replan = false;
+        s->from = fmax(s->from, s->time);
+        const bmr_pair_motion motion = motion_of(s);
+        if (!bmr_pair_jumps_at(&motion, s->time))
+            break;
+        if (is_burst(s, s->time))
+            return BMR_ERROR_STALLED;
+        start(s, s->time, false); // whose observer may have another plan
+    }
+    return search(s, until);
+}
+
 /// Takes the next event, and finds the one after it.
 static bmr_error take_event(bmr_simulation *s, double until) {
     const double time = s->due;
@@ -219,9 +239,9 @@ static bmr_error take_event(bmr_simulation *s, double until) {
     } else {
         start(s, time, false);
     }
-    if (s->next == LEAVE && bmr_kds_in_contact(s->kds) && leave_later(s, time))
+    if (s->next == LEAVE && !s->replan && bmr_kds_in_contact(s->kds) && leave_later(s, time))
         return BMR_OK;
-    return search(s, until);
+    return go_on(s, until);
 }
 
 bmr_error bmr_simulation_run(bmr_simulation *s, double until) {
@@ -229,27 +249,29 @@ bmr_error bmr_simulation_run(bmr_simulation *s, double until) {
         return BMR_ERROR_NULL_ARGUMENT;
     if (!isfinite(until))
         return BMR_ERROR_NOT_FINITE;
-    if (until < s->time)
+    if (s->inside || until < s->time)
         return BMR_ERROR_OUT_OF_RANGE;
     s->reached = fmax(s->reached, until);
-    while (s->due <= until) {
-        const bmr_error error = take_event(s, until);
-        if (error != BMR_OK)
-            return error;
-    }
-    s->time = until;
-    return BMR_OK;
+    s->inside = true;
+    bmr_error error = BMR_OK;
+    while (error == BMR_OK && s->due <= until)
+        error = take_event(s, until);
+    s->inside = false;
+    if (error == BMR_OK)
+        s->time = until;
+    return error;
 }
 
 bmr_error bmr_simulation_replan(bmr_simulation *s) {
     if (!s)
         return BMR_ERROR_NULL_ARGUMENT;
+    s->replan = true;
+    if (s->inside)
+        return BMR_OK;
     const uint64_t before = s->counts.failure_times;
-    const bmr_pair_motion motion = motion_of(s);
-    if (bmr_pair_jumps_at(&motion, s->time))
-        start(s, s->time, false);
-    s->from = fmax(s->from, s->time);
-    const bmr_error error = search(s, s->reached);
+    s->inside = true;
+    const bmr_error error = go_on(s, s->reached);
+    s->inside = false;
     s->counts.replanned += s->counts.failure_times - before;
     return error;
 }
@@ -297,7 +319,7 @@ bmr_error bmr_simulation_create(const bmr_simulation_def *def, const bmr_shape s
 }
 
 void bmr_simulation_destroy(bmr_simulation *s) {
-    if (!s)
+    if (!s || s->inside)
         return;
     bmr_kds_destroy(s->kds, s->allocator);
     bmr_release(s->allocator, s, sizeof *s);

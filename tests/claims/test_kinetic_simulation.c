@@ -190,6 +190,87 @@ TEST(a_jump_just_behind_a_failure_comes_first) {
     }
 }
 
+/// One comes straight at the other, which rests.
+static scene make_collision(test_random *random) {
+    scene s = make_scene(random, 5);
+    const bmr_motion_piece rests = bmr_piece_rest(pose_of(0.0, 0.0, 0.0)),
+                           comes =
+                               bmr_piece_screw(0.0, pose_of(-9.0, 0.0, 0.3), bmr_vec2_make(9.0, 0.0), 0.0);
+    assert_int_equal(bmr_motion_change(s.motions[0], 0.0, &comes), BMR_OK);
+    assert_int_equal(bmr_motion_change(s.motions[1], 0.0, &rests), BMR_OK);
+    return s;
+}
+
+TEST(a_run_that_fails_repeats_no_event) {
+    test_random random = test_random_from(3);
+    own_scene scene s = make_collision(&random);
+    bmr_simulation_def def = bmr_default_simulation_def();
+    def.structure = some_structure(0);
+    def.contact_step = 1e-300; // too many samples of a contact
+    watch w = {.scene = &s, .margin = def.kds.margin, .last = -INFINITY};
+    bmr_simulation *simulation = NULL;
+    assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 0.0, observe, &w, NULL, &simulation),
+                     BMR_OK);
+    assert_int_equal(bmr_simulation_run(simulation, 9.0), BMR_ERROR_OUT_OF_RANGE);
+    assert_true(w.contact);
+    const size_t events = w.events;
+    const double time = bmr_simulation_time(simulation);
+    assert_int_equal(bmr_simulation_run(simulation, 9.0), BMR_ERROR_OUT_OF_RANGE);
+    assert_int_equal(w.events, events);
+    assert_true(bmr_simulation_time(simulation) == time);
+    bmr_simulation_destroy(simulation);
+}
+
+/// An observer that takes B away as soon as there is an event of this kind.
+typedef struct meddler {
+    const scene *scene;
+    bmr_simulation *simulation;
+    bmr_kds_event_kind kind;
+    size_t events, of_kind;
+} meddler;
+
+static void meddle(void *context, const bmr_simulation_event *event) {
+    meddler *m = context;
+    m->events++;
+    m->of_kind += event->report.kind == m->kind;
+    if (!m->simulation)
+        return; // the first start
+    assert_int_equal(bmr_simulation_run(m->simulation, 9.0), BMR_ERROR_OUT_OF_RANGE);
+    bmr_simulation_destroy(m->simulation);
+    if (event->report.kind == m->kind) {
+        const bmr_motion_piece away = bmr_piece_rest(pose_of(0.0, 50.0 + (double)m->events, 0.0));
+        assert_int_equal(bmr_motion_change(m->scene->motions[1], event->time, &away), BMR_OK);
+        assert_int_equal(bmr_simulation_replan(m->simulation), BMR_OK);
+    }
+}
+
+TEST(an_observer_may_change_a_plan_and_neither_run_nor_destroy) {
+    const bmr_kds_event_kind kinds[] = {BMR_KDS_CONTACT, BMR_KDS_LEAVE};
+    for (int i = 0; i < 2; i++) {
+        test_random random = test_random_from(3);
+        own_scene scene s = make_collision(&random);
+        bmr_simulation_def def = bmr_default_simulation_def();
+        def.structure = some_structure(0);
+        meddler m = {.scene = &s, .kind = kinds[i]};
+        bmr_simulation *simulation = NULL;
+        assert_int_equal(bmr_simulation_create(&def, s.shapes, s.motions, 0.0, meddle, &m, NULL, &simulation),
+                         BMR_OK);
+        m.simulation = simulation;
+        assert_int_equal(bmr_simulation_run(simulation, 9.0), BMR_OK);
+        assert_int_equal(m.of_kind, 1);
+        assert_int_equal(bmr_simulation_get_counts(simulation).events[BMR_KDS_LEAVE], 1);
+        assert_false(bmr_kds_in_contact(bmr_simulation_kds(simulation)));
+        assert_int_equal(bmr_simulation_audit(simulation), BMR_OK);
+        // Who takes B elsewhere at each start has the simulation stall.
+        m.kind = BMR_KDS_START;
+        const bmr_motion_piece away = bmr_piece_rest(pose_of(-50.0, 0.0, 0.0));
+        assert_int_equal(bmr_motion_change(s.motions[1], 9.0, &away), BMR_OK);
+        assert_int_equal(bmr_simulation_replan(simulation), BMR_ERROR_STALLED);
+        assert_true(m.of_kind >= BMR_SIMULATION_BURST);
+        bmr_simulation_destroy(simulation);
+    }
+}
+
 TEST(pairs_run_long_and_take_no_memory) {
     test_random random = test_random_from(2);
     size_t events = 0;

@@ -194,7 +194,7 @@ TEST_CASE("the last of the copies and fixtures frees an outline, in any order") 
     CHECK(bmr::registry::Count() == 0);
 }
 
-// The errors: tests/contracts/outline_shapes.cpp.
+// The errors: tests/contracts/test_glue_contracts.cpp.
 TEST_CASE("each fault has its place, and what is as far as can be is none") {
     OutlineShape outline = Elbow();
     const OutlineShape before = outline;

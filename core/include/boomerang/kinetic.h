@@ -20,7 +20,7 @@
 // When do two moving polygons first touch?
 #include "boomerang/time_of_contact.h"
 
-// When does a condition first fail? The events of any number of bodies, in order.
+// When does a condition first fail? The events of two bodies, in order.
 #include "boomerang/failure.h"
 #include "boomerang/simulation.h"
 

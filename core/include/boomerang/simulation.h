@@ -37,6 +37,9 @@ typedef struct bmr_simulation_event {
     bmr_pose pose;               ///< of the second body in the first's frame
     const bmr_kds *kds;
 } bmr_simulation_event;
+/// Gets each event after it was processed. It may ask the simulation, and change plans: a
+/// bmr_simulation_replan takes effect when it returns. It may not run the simulation (OUT_OF_RANGE) nor
+/// destroy it (ignored).
 typedef void (*bmr_simulation_observer)(void *context, const bmr_simulation_event *event);
 
 /// Counts for the four qualities of a kinetic structure (compact, responsive, local, efficient).
@@ -58,6 +61,7 @@ typedef struct bmr_simulation_counts {
 bmr_error bmr_simulation_create(const bmr_simulation_def *def, const bmr_shape shapes[2],
                                 bmr_motion *const motions[2], double time, bmr_simulation_observer observer,
                                 void *context, const bmr_allocator *allocator, bmr_simulation **simulation);
+/// NULL is no error. A call from the observer is ignored.
 void bmr_simulation_destroy(bmr_simulation *simulation);
 
 /// Processes every event up to and including `until`, in time order, and calls the observer for each. If
@@ -66,7 +70,8 @@ void bmr_simulation_destroy(bmr_simulation *simulation);
 /// afresh: START, CONTACT or LEAVE. Errors also: NULL_ARGUMENT, NOT_FINITE, OUT_OF_RANGE (`until` is past, or
 /// so far away that a search takes too many steps: one of bmr_failure_time, or two million samples of a
 /// contact, which are at least contact_step / 1000 and failure.tolerance apart), and those of
-/// bmr_failure_time.
+/// bmr_failure_time. After one of these the simulation stands at its last event, and the next run searches
+/// again from there.
 bmr_error bmr_simulation_run(bmr_simulation *simulation, double until);
 #define BMR_SIMULATION_BURST 1000
 double bmr_simulation_time(const bmr_simulation *simulation);

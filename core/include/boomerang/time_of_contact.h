@@ -11,8 +11,8 @@ extern "C" {
 
 /// @file
 /// The time at which two moving polygons first touch (section 2 of the paper: failure times, one after the
-/// other). In boomerang::kinetic. For many bodies, or to go on after a contact, there is
-/// boomerang/simulation.h.
+/// other). In boomerang::kinetic. boomerang/simulation.h goes on after a contact; many bodies are a
+/// boomerang/world.h.
 
 /// The first time in [from, until] at which the two polygons are within `margin` of each other; INFINITY if
 /// there is none. `margin` > 0: at margin 0, polygons that slide along each other have no proof with any
