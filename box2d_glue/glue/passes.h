@@ -12,9 +12,10 @@ class b2World;
 struct b2TimeStep;
 
 /// @file
-/// The passes of a step, in their order. `table`: the world's table of pairs, with all its contacts, if the
-/// step goes by it; nullptr: the pass goes by Box2D's lists. A world may leave its table while a pass calls
-/// code of the game (LeaveTable). The pass goes on by Box2D's lists then, and so do those after it.
+/// A step, its three passes in their order, and what they call. `table`: the world's table of pairs, with all
+/// its contacts, if the step goes by it; nullptr: the pass goes by Box2D's lists. A world may leave its table
+/// while a pass calls code of the game (LeaveTable). The pass goes on by Box2D's lists then, and so do those
+/// after it.
 
 namespace bmr {
 
