@@ -20,15 +20,14 @@ const Value kNone = {"NaN", NAN}, kInfinite = {"infinity", INFINITY}, kZero = {"
             kMinus = {"-100", -100.0f};
 
 /// What happens to, and what the world is stepped with from then on.
-struct BadGame {
-    b2World world{b2Vec2(0.0f, -10.0f)};
+struct BadGame : Game {
     b2Body *box, *wheel, *bullet; ///< in the middle of the others
     b2Body *sensor;               ///< through which they fall
     float timeStep = 1.0f / 60.0f;
     int32 velocityIterations = 8, positionIterations = 3;
 
     /// Few bodies: where a box is no number it overlaps all others.
-    BadGame() {
+    explicit BadGame(Run &run) : Game(run, {0.0f, -10.0f}) {
         for (int i = 0; i < 3; ++i) {
             const float x = static_cast<float>(i);
             AddBox(world, b2_staticBody, {6.0f * (x - 1.0f), -x}, {3.5f, 0.2f}, 0.15f * (x - 1.0f));
@@ -44,14 +43,8 @@ struct BadGame {
         bullet->SetBullet(true);
         bullet->SetLinearVelocity({0.0f, -100.0f});
     }
-    b2PolygonShape &Polygon(const b2Body *body) const {
-        return *static_cast<b2PolygonShape *>(const_cast<b2Fixture *>(body->GetFixtureList())->GetShape());
-    }
     void Drop(const b2PolygonShape &shape, float density = 1.0f) {
-        b2BodyDef def;
-        def.type = b2_dynamicBody;
-        def.position = {0.5f, 8.0f};
-        world.CreateBody(&def)->CreateFixture(&shape, density);
+        AddBody(world, b2_dynamicBody, {0.5f, 8.0f})->CreateFixture(&shape, density);
     }
 };
 
@@ -77,10 +70,10 @@ void Each(const std::string &name, const std::vector<Value> &values, void (*happ
 /// In its place: the polygon of the box and of a part of the wheel; and that of the sensor.
 void Edit(const std::string &name, void (*edit)(b2PolygonShape &)) {
     Happens(name, [edit](BadGame &g) {
-        edit(g.Polygon(g.box));
-        edit(g.Polygon(g.wheel));
+        edit(*PolygonOf(g.box));
+        edit(*PolygonOf(g.wheel));
     });
-    Happens(name + ", of a sensor", [edit](BadGame &g) { edit(g.Polygon(g.sensor)); });
+    Happens(name + ", of a sensor", [edit](BadGame &g) { edit(*PolygonOf(g.sensor)); });
 }
 
 void Scale(b2PolygonShape &shape, float x, float y) {
@@ -109,9 +102,7 @@ void Define(const char *name, const std::vector<Value> &values, void (*spoil)(b2
             def.type = b2_dynamicBody;
             def.position = {0.5f, 8.0f};
             spoil(def, value.number);
-            b2PolygonShape shape;
-            shape.SetAsBox(0.5f, 0.5f);
-            g.world.CreateBody(&def)->CreateFixture(&shape, 1.0f);
+            g.Box(g.world.CreateBody(&def), 0.5f, 0.5f);
         });
 }
 
@@ -270,11 +261,10 @@ void SayThatItAborts(int) {
     test_leave(0);
 }
 
-void Play(BadGame *game, int steps, Hash *hash, Run *run) {
+void Play(BadGame *game, int steps) {
     for (int i = 0; i < steps; ++i) {
         game->world.Step(game->timeStep, game->velocityIterations, game->positionIterations);
-        hash->Add(game->world);
-        run->Print("%016" PRIx64, hash->Value());
+        game->WriteDown();
     }
 }
 
@@ -284,18 +274,17 @@ void PlayWith(const BadThing &thing, Run &run) {
     std::signal(SIGABRT, SayThatItAborts);
     if (std::freopen("/dev/null", "w", stderr) == nullptr) // Box2D's assertions
         run.Print("!stderr stays");
-    BadGame game;
-    Hash hash;
-    Play(&game, 20, &hash, &run);
+    BadGame game(run);
+    Play(&game, 20);
     if (mayAbort)
         run.BreaksRules();
     thing.happen(game);
-    Play(&game, 25, &hash, &run);
+    Play(&game, 25);
     // On in a good way.
     game.timeStep = 1.0f / 60.0f;
     game.velocityIterations = 8;
     game.positionIterations = 3;
-    Play(&game, 5, &hash, &run);
+    Play(&game, 5);
     run.Stage(!mayAbort || run.HasPlugin(), "Box2D ends the program");
 }
 

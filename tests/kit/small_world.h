@@ -93,12 +93,13 @@ public:
 
     void Add(float value) { Field("number", value); }
     void Add(uint32_t value) { Field("number", value); }
+    /// Contacts first: of what differs they are named, and not the bodies that their impulses move.
     void Add(const b2World &world) {
-        for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext())
-            testbed::VisitBody(*this, *body);
         uint64_t number = 0;
         for (const b2Contact *c = world.GetContactList(); c != nullptr; c = c->GetNext())
             Add(*c, number++);
+        for (const b2Body *body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+            testbed::VisitBody(*this, *body);
         Begin("world", 0);
         Field("contacts", world.GetContactCount());
     }
