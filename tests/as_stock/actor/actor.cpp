@@ -3,7 +3,6 @@
 
 #include <cfloat>
 #include <cmath>
-#include <cstdio>
 
 namespace actor {
 
@@ -181,7 +180,7 @@ void Actor::Tell(Record *record) {
         record->events = 3 * record->events + hashes.events;
         record->probes = 3 * record->probes + world->Probes().Value();
         if (m_records == dumpAt)
-            std::fprintf(stderr, "world\n%s", world->Describe().c_str());
+            dump += "world\n" + world->Describe();
         world->StartRecord(m_records + 1 == dumpAt);
     }
     ++m_records;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "world.h"
@@ -71,7 +72,8 @@ public:
     bool IsFinite() const { return m_isFinite; }
 
     int perturbAt = -1; ///< before this record one velocity is changed by one unit in the last place
-    int dumpAt = -1;    ///< this record is printed on stderr, a line for each field
+    int dumpAt = -1;    ///< this record is put into `dump`, a line for each field
+    std::string dump;
 
     /// Do the bytes ask for polygons of any size? Stock Box2D has none.
     static bool AsksForAnySize(const uint8_t *data, size_t size) { return size > 0 && (data[0] & 32) != 0; }
@@ -157,7 +159,8 @@ public:
     explicit Server(const std::function<void(int in, int out)> &process);
     Server(const Server &) = delete;
     Server &operator=(const Server &) = delete;
-    std::vector<Record> Ask(const uint8_t *data, size_t size);
+    /// `dump`: what the actor dumps of record `dumpAt`.
+    std::vector<Record> Ask(const uint8_t *data, size_t size, int dumpAt = -1, std::string *dump = nullptr);
 
 private:
     int m_to = -1, m_from = -1;

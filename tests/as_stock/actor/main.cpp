@@ -61,6 +61,7 @@ void Play(const Input &input) {
                     number, r.bodies, r.contacts, r.events, r.probes);
         std::fflush(stdout);
     }
+    std::fputs(player.dump.c_str(), stderr);
     End(player.IsFinite() ? "done" : "not finite", "");
 }
 

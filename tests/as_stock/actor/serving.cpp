@@ -36,30 +36,36 @@ void WriteAll(int to, const void *from, size_t size) {
     }
 }
 
+using Question = uint64_t[2]; ///< size of the bytes that follow, dumpAt
 struct Message {
     bool more; ///< a record; else the end
     Record record;
+    uint64_t dumped; ///< bytes that follow
 };
 
 } // namespace
 
 void Serve(int in, int out) {
-    uint64_t size = 0;
-    while (ReadAll(in, &size, sizeof size)) {
-        std::vector<uint8_t> bytes(size);
-        if (!ReadAll(in, bytes.data(), size))
+    Question question = {};
+    while (ReadAll(in, &question, sizeof question)) {
+        std::vector<uint8_t> bytes(question[0]);
+        if (!ReadAll(in, bytes.data(), bytes.size()))
             return;
         const pid_t child = fork();
         if (child == 0) {
             Actor player(bytes.data(), bytes.size());
-            for (Message message = {true, {}}; player.PlayOn(&message.record);)
+            player.dumpAt = static_cast<int>(question[1]);
+            for (Message message = {true, {}, 0}; player.PlayOn(&message.record); player.dump.clear()) {
+                message.dumped = player.dump.size();
                 WriteAll(out, &message, sizeof message);
+                WriteAll(out, player.dump.data(), player.dump.size());
+            }
             std::_Exit(0);
         }
         int status = 0;
         if (child < 0 || waitpid(child, &status, 0) != child)
             std::_Exit(3);
-        const Message end = {false, {}};
+        const Message end = {false, {}, 0};
         WriteAll(out, &end, sizeof end);
     }
 }
@@ -80,15 +86,19 @@ Server::Server(const std::function<void(int in, int out)> &process) {
     m_from = from[0];
 }
 
-std::vector<Record> Server::Ask(const uint8_t *data, size_t size) {
-    const uint64_t bytes = size;
-    WriteAll(m_to, &bytes, sizeof bytes);
+std::vector<Record> Server::Ask(const uint8_t *data, size_t size, int dumpAt, std::string *dump) {
+    const Question question = {size, static_cast<uint64_t>(dumpAt)};
+    WriteAll(m_to, &question, sizeof question);
     WriteAll(m_to, data, size);
     std::vector<Record> records;
     for (Message message = {}; ReadAll(m_from, &message, sizeof message);) {
         if (!message.more)
             return records;
         records.push_back(message.record);
+        std::string dumped(message.dumped, '\0');
+        ReadAll(m_from, dumped.data(), dumped.size());
+        if (dump != nullptr)
+            *dump += dumped;
     }
     std::fprintf(stderr, "the actor that serves has ended\n");
     std::exit(3);

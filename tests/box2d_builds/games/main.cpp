@@ -31,6 +31,7 @@ int main(int argc, char **argv) {
                     r.bodies, r.contacts, r.events, r.probes);
         std::fflush(stdout); // a crash shall not take the lines with it
     }
+    std::fputs(player.dump.c_str(), stderr);
     for (uint32_t i = 0; i < actor::kReactionCount; ++i)
         if (const uint64_t done = actor::reactionsDone[i])
             std::fprintf(stderr, "did \"%s\" %" PRIu64 "\n", actor::kReactions[i].name, done);
