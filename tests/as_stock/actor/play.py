@@ -20,6 +20,7 @@ import sys
 import tempfile
 
 CHUNK = 12
+ENOUGH = 5  # inputs that differ: the rest is not played
 BASES = {"trapped": "stock trapped", "any-size": "switched off"}  # of the others it is stock
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 
@@ -123,16 +124,15 @@ def compare(stage, verdicts, form, expected, found, base):
     bad = [(play, *one) for play, lines in expected.items() for one in differing(lines, found[play][0])]
     if verdicts.check(not bad, f"{form}: {len(bad)} inputs are not as in stock Box2D"):
         return
-    for play, name, line, there in bad[:5]:
-        print(f"  {line}\n  {there}")
-    play, name, line, _ = bad[0]
+    play, name, line, there = bad[0]
     which = f"--first {name} --seeds 1" if play[0] == "seeds" else f"{play[1]} --seeds 0"
     print(f"  play it again: {sys.argv[0]} {stage.given.programs} {stage.given.library} {which} --forms {form}")
     record = line.split()[1]
-    if record != "ends":
-        one, other = (stage.dump(which, play, name, record) for which in (base, form))
-        for left, right in [pair for pair in zip(one, other) if pair[0] != pair[1]][:8]:
-            print(f"  {left}\n      {right}")
+    # Contacts, whose impulses move the bodies, come first; what contacts a body has in which order, a hash, comes last.
+    one, other = (sorted(stage.dump(which, play, name, record) if record != "ends" else [],
+                         key=lambda field: (not field.startswith("contact "), " contactOrder = " in field)) for which in (base, form))
+    left, right = next((pair for pair in zip(one, other) if pair[0] != pair[1]), (line, there))
+    print(f"  input {name}, record {record}\n  {base}: {left}\n  {form}: {right}")
     print("\n".join("  " + line for line in found[play][1].splitlines()[-2:]))
 
 
@@ -145,23 +145,31 @@ def main():
         stage = Stage(given, traps)
         wanted = given.forms.split(",")
         bases = {form: BASES.get(form, "stock") for form in wanted}
-        jobs = {form: {tuple(play): pool.submit(stage.run, form, play, *stage.options(form)) for play in stage.plays}
-                for form in dict.fromkeys(["stock", *bases.values(), *wanted])}
-        outputs = {form: {play: job.result() for play, job in plays.items()} for form, plays in jobs.items()}
-        expected = {base: {play: held(lines, lines) for play, (lines, _) in outputs[base].items()} for base in {"stock", *bases.values()}}
-        if "trapped" in wanted:
-            expected["stock trapped"] = {play: held(lines, outputs["stock"][play][0]) for play, (lines, _) in outputs["stock trapped"].items()}
-        for play in expected["stock"]:
-            if any(differing(expected["stock"][play], outputs[form][play][0]) for form, its in bases.items() if its == "stock"):
-                again = stage.run("stock again", play)[0]
-                expected["stock"][play] = held(outputs["stock"][play][0], again)
+        forms = dict.fromkeys(["stock", *bases.values(), *wanted])
+        jobs = {tuple(play): {form: pool.submit(stage.run, form, play, *stage.options(form)) for form in forms} for play in stage.plays}
+        outputs = {form: {} for form in forms}
+        expected = {base: {} for base in ["stock", *bases.values()]}
+        bad = 0
+        for play, its in jobs.items():
+            if bad >= ENOUGH:
+                break
+            for form, job in its.items():
+                outputs[form][play] = job.result()
+            for base, plays in expected.items():
+                lines = outputs[base][play][0]
+                plays[play] = held(lines, outputs["stock"][play][0] if base == "stock trapped" else lines)
+            if any(differing(expected["stock"][play], outputs[form][play][0]) for form, base in bases.items() if base == "stock"):
+                expected["stock"][play] = held(outputs["stock"][play][0], stage.run("stock again", play)[0])
+            bad += sum(len(differing(expected[base][play], outputs[form][play][0])) for form, base in bases.items())
+        pool.shutdown(cancel_futures=True)
         inputs = sum(map(len, expected["stock"].values()))
 
         def count(base, *endings):
             return sum(lines[-1:] != [] and lines[-1].endswith(endings) for names in expected[base].values() for lines in names.values())
 
         whole = count("stock", "ends done", "ends not finite")
-        verdicts.check(inputs >= given.seeds * 9 // 10 and 100 * whole >= 90 * inputs, f"stock Box2D survives {whole} of {inputs}")
+        there = bad >= ENOUGH or inputs >= given.seeds * 9 // 10
+        verdicts.check(there and 100 * whole >= 90 * inputs, f"stock Box2D survives {whole} of {inputs}")
         if "trapped" in wanted:
             trapped = count("stock trapped", "ends done")
             verdicts.check(2 * trapped >= inputs, f"of {inputs} inputs {trapped} trap nothing in stock Box2D")
