@@ -23,9 +23,9 @@ struct Again : doctest::ConsoleReporter {
         if (!check.m_failed)
             return;
         std::string name;
-        for (const char *c = tc->m_name; *c != '\0'; ++c) // a comma parts two names
-            name += *c == ',' ? "\\," : std::string(1, *c);
-        s << "Again: --test-case='" << name.c_str() << "'";
+        for (const char *c = tc->m_name; *c != '\0'; ++c) // a comma parts two names, ? is any character
+            name += *c == ',' ? "\\," : std::string(1, *c == '\'' ? '?' : *c);
+        s << "Again: " << opt.binary_name << " --test-case='" << name.c_str() << "'";
         if (test_random_last.drawn > 0)
             s << ". After " << test_random_last.drawn << " random numbers of the seed "
               << test_random_last.seed;

@@ -18,7 +18,7 @@ typedef struct input {
 
 static input *corpus;
 static size_t corpus_size, inputs;
-static const char *control;
+static const char *program, *control;
 static const input *playing;
 
 static void show(void) {
@@ -26,10 +26,10 @@ static void show(void) {
         fprintf(stderr, "control: found by %s\n", playing->name);
         _Exit(0);
     }
-    fprintf(stderr, "%s ", playing->name);
+    fprintf(stderr, "Again: %s <(echo %s ", program, playing->name);
     for (size_t i = 0; i < playing->size; ++i)
         fprintf(stderr, "%02x", playing->bytes[i]);
-    fputc('\n', stderr);
+    fputs(")\n", stderr);
 }
 
 static void play(const input *one) {
@@ -80,7 +80,7 @@ static input made_from(uint64_t seed) {
     return made;
 }
 
-static int usage(const char *program) {
+static int usage(void) {
     fprintf(
         stderr,
         "usage: %s [--control NAME] [--seeds FIRST COUNT] CORPUS...\n"
@@ -92,6 +92,7 @@ static int usage(const char *program) {
 }
 
 int main(int count, char **arguments) {
+    program = arguments[0];
     int first = 1;
     uint64_t seed = 0;
     size_t seeds = 0;
@@ -104,10 +105,10 @@ int main(int count, char **arguments) {
             seeds = test_scaled(strtoull(arguments[first + 2], NULL, 10));
             first += 3;
         } else {
-            return usage(arguments[0]);
+            return usage();
         }
     if (first >= count)
-        return usage(arguments[0]);
+        return usage();
     for (int i = first; i < count; ++i)
         if (!packed_corpus_read(arguments[i], keep, NULL)) {
             fprintf(stderr, "%s is no packed corpus\n", arguments[i]);
