@@ -65,12 +65,7 @@ static void step_and_check(trial *t, const bmr_pose *q) {
         assert_true(gap == 0.0);
         assert_true(truth <= need + BMR_PAIR_SLOP * t->scale + 1e-6 * need + rounding);
     }
-    const bmr_error audit = bmr_pair_audit(&t->of.pair, &t->of.def, &t->of.shape[0], &t->of.shape[1], q);
-    if (audit != BMR_OK)
-        fail_msg("%s, %u and %u vertices, level %d, at (%.17g, %.17g; %.17g, %.17g): the audit: %s",
-                 bmr_structure_name(t->of.def.structure), t->of.shape[0].polygon->count,
-                 t->of.shape[1].polygon->count, t->of.pair.level, q->position.x, q->position.y, q->c, q->s,
-                 bmr_error_describe(audit));
+    assert_int_equal(test_pair_audit(&t->of, q), BMR_OK);
 }
 
 /// Audits reject the pair with something wrong, each time something else, which `tampered` counts.

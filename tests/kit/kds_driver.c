@@ -171,8 +171,12 @@ static void audit(drive *d, const bmr_pose *pose) {
     const bmr_error error = bmr_kds_audit(d->kds, pose);
     if (error != BMR_OK && d->result->false_audits++ == 0) {
         d->result->error = error;
-        fprintf(stderr, "%s, %u and %u vertices: the audit at t = %.17g: %s\n", d->kds->info->name,
-                d->a->count, d->b->count, d->time, bmr_error_describe(error));
+        bmr_kds_proof proof = {0};
+        bmr_kds_get_proof(d->kds, &proof);
+        fprintf(stderr,
+                "%s, %u and %u vertices: the audit at t = %.17g, level %d, line (%.17g, %.17g) of %c: %s\n",
+                d->kds->info->name, d->a->count, d->b->count, d->time, proof.level, proof.line.normal.x,
+                proof.line.normal.y, proof.owner == 0 ? 'A' : 'B', bmr_error_describe(error));
     }
     // Another way to the distance than the audit's.
     const double distance = test_distance(d->a, d->b, pose);

@@ -2,6 +2,7 @@
 #include "motions.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "hierarchies.h"
@@ -110,4 +111,19 @@ void test_pair_destroy(test_pair *pair) {
 bmr_answer test_pair_advance(test_pair *c, const bmr_pose *pose, double *gap) {
     const bmr_observer observer = {&c->counters, NULL, NULL};
     return bmr_pair_advance(&c->pair, &c->def, &c->shape[0], &c->shape[1], pose, &observer, gap);
+}
+
+bmr_error test_pair_audit(const test_pair *c, const bmr_pose *q) {
+    const bmr_pair *const p = &c->pair;
+    const bmr_certificate *const k = &p->certificate;
+    const bmr_error error = bmr_pair_audit(p, &c->def, &c->shape[0], &c->shape[1], q);
+    if (error != BMR_OK)
+        fprintf(stderr,
+                "%s, %u and %u vertices, at (%.17g, %.17g; %.17g, %.17g), level %d: the line (%.9g, %.9g; "
+                "%.9g) of %c's edge %u faces %u|%u%s: the audit: %s\n",
+                bmr_structure_name(c->def.structure), c->shape[0].polygon->count, c->shape[1].polygon->count,
+                q->position.x, q->position.y, q->c, q->s, p->level, (double)k->normal[0],
+                (double)k->normal[1], (double)k->offset, p->owner == 0 ? 'A' : 'B', p->edge, p->other,
+                p->other_after, p->free ? ", free" : "", bmr_error_describe(error));
+    return error;
 }

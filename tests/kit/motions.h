@@ -62,6 +62,8 @@ void test_pair_destroy(test_pair *pair);
 #define own_pair OWNED(test_pair_destroy) test_pair
 /// `gap` may be NULL.
 bmr_answer test_pair_advance(test_pair *pair, const bmr_pose *pose, double *gap);
+/// bmr_pair_audit; prints the pair if that is not BMR_OK.
+bmr_error test_pair_audit(const test_pair *pair, const bmr_pose *pose);
 
 // --- pieces of motions ---
 
