@@ -15,7 +15,6 @@ struct Pair {
     b2PolygonShape a, b;
     b2Transform xfA, xfB;
 
-    exact::Gap Gap() const { return exact::GapOf(shapes::PosedOf(a, xfA), shapes::PosedOf(b, xfB)); }
     double RadiusSum() const { return double{a.m_radius} + double{b.m_radius}; }
     int Points() const {
         b2Manifold manifold;
@@ -59,7 +58,7 @@ b2Vec2 Middle(const b2PolygonShape &polygon) {
 
 /// Moves b in along a random line through the middle of a, to where the distance is just above `wanted`:
 /// rounded outward, a few floats more.
-bool PlaceOnLine(shapes::Engine &engine, Pair *pair, double wanted) {
+bool PlaceOnLine(shapes::Engine &engine, Pair *pair, double wanted, exact::Gap *gap) {
     const double angle = shapes::Uniform(engine, -3.2, 3.2);
     const double ux = std::cos(angle), uy = std::sin(angle);
     const shapes::Point a = shapes::Place(pair->xfA, Middle(pair->a)),
@@ -70,25 +69,27 @@ bool PlaceOnLine(shapes::Engine &engine, Pair *pair, double wanted) {
     const auto move = [&](double t) {
         pair->xfB.p.Set(static_cast<float>(from.x + t * ux), static_cast<float>(from.y + t * uy));
         moved.pose.position = {pair->xfB.p.x, pair->xfB.p.y};
-        return static_cast<double>(exact::NearDistance(still, moved));
     };
     // The distance changes no faster than t does: a step by what is left never goes too far.
     double t = 300.0;
     for (int i = 0; i < 100; ++i) {
-        const double left = move(t) - wanted;
+        move(t);
+        const double left = static_cast<double>(exact::NearDistance(still, moved)) - wanted;
         if (left < 1e-6)
             break;
         t -= left;
     }
-    for (double outward = 1e-7; outward < 0.1 && !IsBeyond(exact::GapOf(still, moved), wanted);
-         outward *= 2.0)
+    *gap = exact::GapOf(still, moved);
+    for (double outward = 1e-7; outward < 0.1 && !IsBeyond(*gap, wanted); outward *= 2.0) {
         move(t + outward);
-    return IsBeyond(exact::GapOf(still, moved), wanted);
+        *gap = exact::GapOf(still, moved);
+    }
+    return IsBeyond(*gap, wanted);
 }
 
 /// Puts a corner of b at the wanted distance from a corner of a, until these are the closest points. Every
 /// other time in the direction of the diagonal of Box2D's clipping box there, where it gives points longest.
-bool PlaceCorners(shapes::Engine &engine, Pair *pair, double wanted) {
+bool PlaceCorners(shapes::Engine &engine, Pair *pair, double wanted, exact::Gap *gap) {
     const b2Transform start = pair->xfB;
     const exact::Posed still = shapes::PosedOf(pair->a, pair->xfA);
     exact::Posed moved = shapes::PosedOf(pair->b, start);
@@ -110,8 +111,8 @@ bool PlaceCorners(shapes::Engine &engine, Pair *pair, double wanted) {
         moved.pose.position = {pair->xfB.p.x, pair->xfB.p.y};
         if (exact::NearDistance(still, moved) < 0.9 * wanted)
             continue; // other corners are nearer
-        const exact::Gap gap = exact::GapOf(still, moved);
-        if (gap.corners && IsBeyond(gap, wanted))
+        *gap = exact::GapOf(still, moved);
+        if (gap->corners && IsBeyond(*gap, wanted))
             return true;
     }
     return false;
@@ -132,10 +133,11 @@ template <typename Margin> Tally Try(size_t count, double lowest, double highest
         const bool flip = shapes::Below(engine, 2) == 0;
         Pair pair = RandomPair(engine, flip ? along : far, flip ? -far : along, kExtent);
         const double wanted = margin(pair.RadiusSum());
-        if (i % 2 == 0 ? !PlaceOnLine(engine, &pair, wanted) : !PlaceCorners(engine, &pair, wanted))
+        exact::Gap gap;
+        if (!(i % 2 == 0 ? PlaceOnLine : PlaceCorners)(engine, &pair, wanted, &gap))
             continue;
         ++tally.placed;
-        tally.cornersOnly += pair.Gap().corners;
+        tally.cornersOnly += gap.corners;
         tally.points += pair.Points() > 0;
     }
     return tally;

@@ -44,21 +44,25 @@ public:
         m_pose.s *= sign;
         m_pose.position = {sign * m_pose.position.x, sign * m_pose.position.y};
         const size_t n = m_points.size();
-        m_corners.reserve(n);
-        for (size_t i = 0; i < n; ++i)
-            m_corners.push_back(MakeCorner(i));
         m_count = n > 1 ? n : 0; // a point has no edge
         // The way begins with the first edge that goes up, or straight to the right.
-        for (size_t i = 0; i < m_count; ++i)
-            if (m_corners[(i + n - 1) % n].isLower && !m_corners[i].isLower)
+        bool wasLower = m_count > 0 && IsLower(n - 1);
+        for (size_t i = 0; i < m_count; ++i) {
+            const bool isLower = IsLower(i);
+            if (wasLower && !isLower)
                 m_at = i;
+            m_uppers += isLower ? 0 : 1;
+            wasLower = isLower;
+        }
+        Update();
     }
     size_t Count() const { return m_count; }
     size_t At() const { return m_at; }
     bool IsDone() const { return m_passed == m_count; }
     void Pass() {
-        m_at = m_at + 1 < m_corners.size() ? m_at + 1 : 0;
+        m_at = m_at + 1 < m_points.size() ? m_at + 1 : 0;
         ++m_passed;
+        Update();
     }
 
     Place Point(size_t i) const { return exact::At(m_pose, m_points[i]); }
@@ -66,41 +70,38 @@ public:
         const Place way = Way(PlaceOf(m_points[i]), PlaceOf(Next(i)));
         return Turned(mpq_class(m_pose.c), mpq_class(m_pose.s), way);
     }
-    const Rough &RoughPoint() const { return m_corners[m_at].point; }
-    const Rough &RoughEdge() const { return m_corners[m_at].edge; }
-    bool IsLower() const { return m_corners[m_at].isLower; }
+    const Rough &RoughPoint() const { return m_point; }
+    const Rough &RoughEdge() const { return m_edge; }
+    /// Does the edge go down, or straight to the left?
+    bool IsLower() const { return m_passed >= m_uppers; }
 
 private:
-    struct Corner {
-        Rough point, edge;
-        bool isLower; ///< the edge goes down, or straight to the left
-    };
-
     const bmr_vec2 &Next(size_t i) const { return m_points[i + 1 < m_points.size() ? i + 1 : 0]; }
+    bool IsLower(size_t i) const {
+        const bmr_vec2 &from = m_points[i], &to = Next(i);
+        const double sx = m_pose.s * (to.x - from.x), cy = m_pose.c * (to.y - from.y), y = sx + cy;
+        // Four roundings; small numbers are left to the fractions.
+        if (std::fabs(y) > 0x1p-50 * (std::fabs(sx) + std::fabs(cy)) && std::fabs(y) > 1e-250)
+            return y < 0.0;
+        const Place edge = Edge(i);
+        return edge.y < 0 || (edge.y == 0 && edge.x < 0);
+    }
     Rough RoughlyTurned(long double x, long double y) const {
         const long double cx = m_pose.c * x, sy = m_pose.s * y, sx = m_pose.s * x, cy = m_pose.c * y;
         return {cx - sy, sx + cy,
                 kRounding * (std::fabs(cx) + std::fabs(sy) + std::fabs(sx) + std::fabs(cy))};
     }
-    Corner MakeCorner(size_t i) const {
-        const bmr_vec2 &from = m_points[i], &to = Next(i);
-        const Rough position = {m_pose.position.x, m_pose.position.y, 0.0L};
-        Corner corner = {
-            Sum(RoughlyTurned(from.x, from.y), position),
-            RoughlyTurned(static_cast<long double>(to.x) - from.x, static_cast<long double>(to.y) - from.y),
-            false};
-        corner.isLower = corner.edge.y < 0.0L;
-        if (std::fabs(corner.edge.y) <= corner.edge.off) {
-            const Place edge = Edge(i);
-            corner.isLower = edge.y < 0 || (edge.y == 0 && edge.x < 0);
-        }
-        return corner;
+    void Update() {
+        const bmr_vec2 &from = m_points[m_at], &to = Next(m_at);
+        m_point = Sum(RoughlyTurned(from.x, from.y), {m_pose.position.x, m_pose.position.y, 0.0L});
+        m_edge =
+            RoughlyTurned(static_cast<long double>(to.x) - from.x, static_cast<long double>(to.y) - from.y);
     }
 
     const std::vector<bmr_vec2> &m_points;
     bmr_pose m_pose;
-    std::vector<Corner> m_corners;
-    size_t m_count, m_at = 0, m_passed = 0;
+    Rough m_point, m_edge; ///< where the way has come to
+    size_t m_count, m_uppers = 0, m_at = 0, m_passed = 0;
 };
 
 /// How far the origin is from the segment from p to p + e.
@@ -139,12 +140,14 @@ class Steps {
 public:
     void Add(size_t edge, size_t corner, bool ofB, const Rough &p, const Rough &e) {
         const long double off = p.off + e.off + kRounding * (p.Size() + e.Size());
+        // Where the end is the nearest for certain, it is left to the next.
+        const long double behind = (p.x + e.x) * e.x + (p.y + e.y) * e.y;
+        if (behind < -8.0L * off * (p.Size() + e.Size()))
+            return;
         const Step step = {ofB ? corner : edge, ofB ? edge : corner, ofB, FromOrigin(p, e), 4.0L * off};
         m_low = std::min(m_low, step.distance - step.off);
         m_high = std::min(m_high, step.distance + step.off);
-        // Where the end is the nearest for certain, it is left to the next.
-        const long double behind = (p.x + e.x) * e.x + (p.y + e.y) * e.y;
-        if (step.distance - step.off <= m_high && behind >= -8.0L * off * (p.Size() + e.Size()))
+        if (step.distance - step.off <= m_high)
             m_steps.push_back(step);
     }
 
