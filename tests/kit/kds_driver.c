@@ -60,16 +60,22 @@ bmr_instant test_path_at(const test_path *path, double t) {
         power *= t;
     }
     for (int k = 0; k < TEST_PATH_HARMONICS; ++k) {
+        if (path->radius[k] == 0.0)
+            continue; // most paths have none
         const double w = path->frequency[k], a = w * t + path->phase[k];
         const bmr_vec2 around = bmr_scale(path->radius[k], bmr_vec2_make(cos(a), sin(a)));
         now.pose.position = bmr_add(now.pose.position, around);
         now.velocity = bmr_add(now.velocity, bmr_scale(w, bmr_left(around)));
     }
-    const double w = path->swing_frequency;
-    const double angle = path->angle + path->spin * t + path->swing * sin(w * t);
+    double angle = path->angle + path->spin * t;
+    now.spin = path->spin;
+    if (path->swing != 0.0) {
+        const double w = path->swing_frequency;
+        angle += path->swing * sin(w * t);
+        now.spin += path->swing * w * cos(w * t);
+    }
     now.pose.c = cos(angle);
     now.pose.s = sin(angle);
-    now.spin = path->spin + path->swing * w * cos(w * t);
     return now;
 }
 
