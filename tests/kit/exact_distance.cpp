@@ -43,6 +43,7 @@ public:
         m_pose.c *= sign;
         m_pose.s *= sign;
         m_pose.position = {sign * m_pose.position.x, sign * m_pose.position.y};
+        m_rounding = kRounding * (std::fabs(m_pose.c) + std::fabs(m_pose.s));
         const size_t n = m_points.size();
         m_count = n > 1 ? n : 0; // a point has no edge
         // The way begins with the first edge that goes up, or straight to the right.
@@ -88,8 +89,7 @@ private:
     }
     Rough RoughlyTurned(long double x, long double y) const {
         const long double cx = m_pose.c * x, sy = m_pose.s * y, sx = m_pose.s * x, cy = m_pose.c * y;
-        return {cx - sy, sx + cy,
-                kRounding * (std::fabs(cx) + std::fabs(sy) + std::fabs(sx) + std::fabs(cy))};
+        return {cx - sy, sx + cy, m_rounding * (std::fabs(x) + std::fabs(y))};
     }
     void Update() {
         const bmr_vec2 &from = m_points[m_at], &to = Next(m_at);
@@ -100,7 +100,8 @@ private:
 
     const std::vector<bmr_vec2> &m_points;
     bmr_pose m_pose;
-    Rough m_point, m_edge; ///< where the way has come to
+    long double m_rounding; ///< of a size that is turned
+    Rough m_point, m_edge;  ///< where the way has come to
     size_t m_count, m_uppers = 0, m_at = 0, m_passed = 0;
 };
 
@@ -143,6 +144,10 @@ public:
         // Where the end is the nearest for certain, it is left to the next.
         const long double behind = (p.x + e.x) * e.x + (p.y + e.y) * e.y;
         if (behind < -8.0L * off * (p.Size() + e.Size()))
+            return;
+        // Where its beginning is, and farther away than another, no root is taken.
+        const long double far = m_high + 4.0L * off, square = p.x * p.x + p.y * p.y;
+        if (p.x * e.x + p.y * e.y >= 0.0L && square > far * far * (1.0L + 8.0L * kRounding))
             return;
         const Step step = {ofB ? corner : edge, ofB ? edge : corner, ofB, FromOrigin(p, e), 4.0L * off};
         m_low = std::min(m_low, step.distance - step.off);
