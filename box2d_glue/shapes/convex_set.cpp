@@ -286,7 +286,7 @@ bmr_error ConvexShape::SetAsBox(float halfWidth, float halfHeight, const b2Vec2 
     return error;
 }
 
-// Boxes, ellipses and the like, as points.
+// SetEllipse, SetRounded and Simplify compute points, of which SetHull takes the hull.
 
 namespace {
 

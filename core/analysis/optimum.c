@@ -9,8 +9,8 @@
 #define PI 3.14159265358979323846
 /// Halvings of a stretch: double's precision is spent.
 #define MAX_DEPTH 44
-/// No stretch is longer than this part of (sizes + distance), whatever its ends are: a whole turn
-/// between two samples would pass for none.
+/// The search splits a stretch in which the bodies may move by more than this part of (size + distance). It
+/// compares the stretch's ends and middle, and a whole turn between these would look like no turn at all.
 #define LONGEST_PART 0.25
 /// Near contact the cone's width goes to zero; ends are not told apart more finely than this times the
 /// resolution (radians).

@@ -30,10 +30,10 @@ float bmr_convex32_max_separation(const bmr_convex32 *reference, const bmr_conve
                                   const bmr_transform32 *frame, uint32_t edge_hint, uint32_t *edge,
                                   uint32_t *other_vertex);
 
-/// Certainly farther apart than `reach` (>= 0, length units)? Tries the remembered direction, and
-/// two more at most where that says nothing. True is certain, rounding included, whatever the memory
-/// holds: of the poses as they stand in floats, and of polygons that are exactly convex. False says nothing.
-/// Moves the memory.
+/// Are the two polygons certainly farther apart than `reach` (>= 0, length units)? The function projects both
+/// on the remembered direction, and on at most two more if the first does not show it. True is a proof of the
+/// poses as they stand in floats, for polygons that are exactly convex: it allows for rounding, and does not
+/// rely on the memory. False says nothing. The memory keeps the direction and the vertices for the next call.
 bool bmr_convex32_apart(const bmr_convex32 *a, const bmr_transform32 *pose_a, const bmr_convex32 *b,
                         const bmr_transform32 *pose_b, float reach, bmr_convex32_memory *memory);
 

@@ -28,7 +28,7 @@ typedef struct bmr_event_entry {
 typedef struct bmr_event_queue {
     bmr_event_entry *heap;
     size_t count, capacity;
-    size_t promised; ///< items that may want a place, where the queue has memory of its own
+    size_t promised; ///< items that may want a place
     /// Of two items of one time: which comes first. A total order of all items.
     bool (*before)(const bmr_event_item *, const bmr_event_item *);
 } bmr_event_queue;

@@ -80,15 +80,14 @@ static void expect(bmr_simulation *s, next_event next, double time) {
 }
 
 /// When a condition fails, or a contact ends, in (from, to]; INFINITY: at no time.
-static bmr_error find_event(bmr_simulation *s, const bmr_condition *conditions, size_t count, double from,
-                            double to, double *time) {
+static bmr_error find_event(bmr_simulation *s, const bmr_pair_motion *motion, const bmr_condition *conditions,
+                            size_t count, double from, double to, double *time) {
     if (bmr_kds_in_contact(s->kds)) {
-        const bmr_pair_motion motion = motion_of(s);
         const double target = s->def.kds.margin + s->def.kds.hysteresis;
-        *time = bmr_pair_leaves(&motion, from, to, target, s->def.contact_step, tolerance_at(s, from));
+        *time = bmr_pair_leaves(motion, from, to, target, s->def.contact_step, tolerance_at(s, from));
         return isnan(*time) ? BMR_ERROR_OUT_OF_RANGE : BMR_OK;
     }
-    const bmr_error error = bmr_first_failure(conditions, count, s->motions[0], s->motions[1], from, to,
+    const bmr_error error = bmr_first_failure(conditions, count, motion->a, motion->b, from, to,
                                               &s->def.failure, time, &s->failing);
     if (error == BMR_OK && *time < INFINITY)
         s->condition = conditions[s->failing];
@@ -114,7 +113,7 @@ static bmr_error search(bmr_simulation *s, double to) {
         const double jump = bmr_pair_next_jump(&motion, from, end);
         end = fmin(end, jump);
         double time;
-        const bmr_error error = find_event(s, conditions, count, from, end, &time);
+        const bmr_error error = find_event(s, &motion, conditions, count, from, end, &time);
         if (error != BMR_OK)
             return error;
         if (time < jump && time <= end) {

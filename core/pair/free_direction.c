@@ -45,7 +45,7 @@ static bool certify_with(bmr_step *step, const bmr_closest *closest, int owner, 
     pair->other = support[1 - owner];
     if (pair->structure != BMR_TWO_LINES)
         pair->other_after = support[1 - owner];
-    // Not level -1, whatever it was: the check of it must be of a line.
+    // The certificate is a line. (BMR_LEVEL_DISKS would have bmr_pair_check take it for two disks.)
     pair->level = LEVEL_POLYGONS;
     return bmr_step_holds(step, step->need, gap);
 }

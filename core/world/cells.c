@@ -318,7 +318,7 @@ static bmr_error add_candidate(bmr_world *w, bmr_world_body *r, int64_t image_x,
         size_t bytes;
         if (!bmr_size_product(capacity, sizeof *w->candidates, &bytes))
             return BMR_ERROR_TOO_LARGE;
-        bmr_candidate *more = bmr_world_take(w, bytes);
+        bmr_body_image *more = bmr_world_take(w, bytes);
         if (!more)
             return BMR_ERROR_NO_MEMORY;
         if (w->candidates) {
@@ -328,7 +328,7 @@ static bmr_error add_candidate(bmr_world *w, bmr_world_body *r, int64_t image_x,
         w->candidates = more;
         w->candidate_capacity = capacity;
     }
-    bmr_candidate *const c = &w->candidates[w->candidate_count++];
+    bmr_body_image *const c = &w->candidates[w->candidate_count++];
     c->body = r;
     c->image[0] = (int32_t)image_x;
     c->image[1] = (int32_t)image_y;

@@ -142,7 +142,7 @@ struct bmr_world {
     size_t idle_top;               ///< moves since it had a body of its own
     size_t level_bodies[BMR_LEVELS];
 
-    struct bmr_candidate *candidates; ///< scratch
+    struct bmr_body_image *candidates; ///< scratch
     size_t candidate_count, candidate_capacity;
 
     bmr_world_body walls[BMR_WALLS];
@@ -156,10 +156,10 @@ struct bmr_world {
 #define BMR_PLACE_BYTES (sizeof(bmr_world_body *) + sizeof(uint32_t))
 
 /// A body near a place, and which image of it.
-typedef struct bmr_candidate {
+typedef struct bmr_body_image {
     bmr_world_body *body;
     int32_t image[2]; ///< of the body as seen from the place
-} bmr_candidate;
+} bmr_body_image;
 
 static inline bool bmr_body_is_wall(const bmr_world_body *r) {
     return bmr_is_wall(r->id);

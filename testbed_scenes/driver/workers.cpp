@@ -167,7 +167,8 @@ fs::path Workers::ProgramOf(Side side) const {
     return m_directory / (stock ? "boomerang-scene" : "boomerang-scene-plugin");
 }
 
-/// What a worker reads, whatever habits the caller's environment has. An empty value counts as none.
+/// The environment variables that a worker gets. Boomerang's own are always among them, so that those of the
+/// caller's shell change nothing; an empty value counts as none.
 std::vector<std::string> Workers::EnvironmentOf(const WorkerRequest &request,
                                                 const WorkerOptions &options) const {
     std::string mode, preload;

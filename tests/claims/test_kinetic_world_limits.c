@@ -328,3 +328,53 @@ TEST(what_is_pushed_together_for_good_is_an_error) {
         assert_near(trouble.time, 3.0, 0.1);
     }
 }
+
+// ---- what a world claims ----
+
+/// Three bodies at rest, of which the first two have a structure, and the third is a candidate of both; and
+/// one that moves.
+typedef struct claims {
+    bmr_world_body body[3];
+    bmr_body_pair near, candidate;
+    bmr_event_entry first;
+} claims;
+
+TEST(an_audit_finds_every_false_claim) {
+    own_stage *s = make_stage(BMR_OPEN, 0.0);
+    const bmr_polygon *b = box(0.5);
+    const bmr_body ids[] = {fly(s, b, 0.25, 0.25, 0.0, 0.0, 0.0), fly(s, b, 1.55, 0.25, 0.0, 0.0, 0.0),
+                            fly(s, b, 0.25, 2.0, 0.0, 0.0, 0.0)};
+    fly(s, b, 40.0, 40.0, 0.1, 0.0, 0.0);
+    advance(s, 1.0);
+    bmr_world_body *body[3];
+    for (size_t i = 0; i < 3; i++)
+        body[i] = bmr_world_find(s->world, ids[i]);
+    bmr_body_pair *near = NULL, *candidate = NULL;
+    for (bmr_body_pair *pair = body[0]->first; pair; pair = pair->after[bmr_body_pair_side(pair, body[0])])
+        *(pair->side[1] == body[1] ? &near : &candidate) = pair;
+    assert_true(near && near->watch == BMR_WATCH_STRUCTURE);
+    assert_true(candidate && candidate->watch == BMR_WATCH_DISKS);
+    bmr_event_entry *const first = s->world->queue.heap;
+    const claims truth = {{*body[0], *body[1], *body[2]}, *near, *candidate, *first};
+#define FINDS(error, falsify)                                                                                \
+    do {                                                                                                     \
+        falsify;                                                                                             \
+        assert_int_equal(bmr_world_audit(s->world), error);                                                  \
+        for (size_t i = 0; i < 3; i++)                                                                       \
+            *body[i] = truth.body[i];                                                                        \
+        *near = truth.near;                                                                                  \
+        *candidate = truth.candidate;                                                                        \
+        *first = truth.first;                                                                                \
+        first->item->place = 0;                                                                              \
+    } while (0)
+    FINDS(BMR_ERROR_FALSE_CERTIFICATE, body[1]->now.piece.as.screw.start.position.x -= 0.5); // the structure
+    FINDS(BMR_ERROR_FALSE_CERTIFICATE, body[2]->now.piece.as.screw.start.position.y -= 1.0); // the disks
+    FINDS(BMR_ERROR_FALSE_CERTIFICATE, body[2]->column += 5);
+    FINDS(BMR_ERROR_INVALID_STRUCTURE, body[0]->pairs++);
+    FINDS(BMR_ERROR_INVALID_STRUCTURE, candidate->neighbours = false);
+    FINDS(BMR_ERROR_INVALID_STRUCTURE, candidate->image[0] = 1);
+    FINDS(BMR_ERROR_INVALID_STRUCTURE, near->watch = BMR_WATCH_DISKS);
+    FINDS(BMR_ERROR_INVALID_STRUCTURE, first->item->place++);
+    FINDS(BMR_ERROR_INVALID_STRUCTURE, first->time = INFINITY);
+    assert_int_equal(bmr_world_audit(s->world), BMR_OK);
+}
