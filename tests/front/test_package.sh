@@ -25,6 +25,10 @@ rm -rf "$work"
 mkdir -p "$work/bin" "$there/var/lib/dpkg/info" "$there/var/lib/dpkg/updates" "$there/var/lib/dpkg/triggers"
 ln -s /bin/true "$work/bin/ldconfig"
 touch "$work/fakeroot" "$there/var/lib/dpkg/status"
+# Making a package overwrites the list of what was installed from this tree, which may be somebody's real installation.
+manifest=$build/install_manifest.txt
+[ ! -f "$manifest" ] || mv "$manifest" "$work/manifest"
+trap 'rm -f "$manifest"; [ ! -f "$work/manifest" ] || mv "$work/manifest" "$manifest"' EXIT
 quietly cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work/packages" -D CPACK_DEBIAN_COMPRESSION_TYPE=none
 packages=("$work"/packages/*.deb)
 [ ${#packages[@]} -eq 1 ] || fail "these packages: ${packages[*]}"
@@ -36,5 +40,5 @@ grep -q '^needles .* identical *identical *identical$' "$work/said" || fail "the
 quietly dpkg_there --purge boomerang
 (cd "$there" && find . ! -path './var/lib/dpkg/*') >"$work/after"
 diff "$work/before" "$work/after" >"$work/said" || fail "purged, and left: $(cat "$work/said")"
-rm -rf "$work"
+rm -rf "$work/root" "$work/packages"
 echo passed
