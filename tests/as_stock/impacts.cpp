@@ -286,6 +286,21 @@ AS_STOCK("half: in the second half of a step two come to touch that sleep again 
     game.TookPlace(slept && right->IsAwake(), "one wakes the other");
 }
 
+// They move by less than what would give their fixtures other boxes.
+AS_STOCK("half: in the second half of a step two come to touch that are back when the next one begins") {
+    Posts game(run);
+    b2Body *const right = game.Near({0.0f, -20.0f}, 0.05f);
+    game.Step(2);
+    game.StopNextStep();
+    const b2Vec2 apart = right->GetPosition();
+    Place(right, apart - b2Vec2(0.06f, 0.0f));
+    game.Step();
+    const int before = game.Touching();
+    Place(right, apart);
+    game.Step();
+    game.TookPlace(before - game.Touching(), "the two touch, and part again");
+}
+
 AS_STOCK(
     "half: a listener disables a contact in the second half of a step, and a filter is asked ahead of the "
     "next one") {
