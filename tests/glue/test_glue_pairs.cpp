@@ -7,6 +7,7 @@
 #include <box2d/box2d.h>
 
 #include "base/private_members.h"
+#include "boomerang/convex_shape.h"
 #include "box2d_shapes.h"
 #include "cases.h"
 #include "glue/pairs/fixture_motion.h"
@@ -286,6 +287,20 @@ TEST_CASE("each vertex, normal, skin and count of a polygon that is edited in pl
         --shape.m_count;
         CHECK(bmr::DigestOf(shape) != digest);
     }
+}
+
+TEST_CASE("a row has the length of its shortest side, which may be the last; of a big polygon it has none") {
+    const b2Vec2 corners[3] = {{1.0f, 0.2f}, {0.0f, 1.0f}, {0.9f, 0.0f}};
+    b2PolygonShape shape;
+    shape.Set(corners, 3);
+    const Row last(shape), middle(Triangle());
+    CHECK(last.motions[last.row].shortest == (shape.m_vertices[2] - shape.m_vertices[0]).Length());
+    CHECK(middle.motions[middle.row].shortest ==
+          (middle.shape->m_vertices[2] - middle.shape->m_vertices[1]).Length());
+    bmr::ConvexShape disc;
+    REQUIRE(disc.SetRegular(32, 0.5f) == BMR_OK);
+    const Row big(disc);
+    CHECK(big.motions[big.row].shortest == 0.0f);
 }
 
 TEST_CASE("who was not looked at in the sweeps may stop others") {
