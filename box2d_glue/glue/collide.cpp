@@ -479,7 +479,7 @@ void CollidePass::Run() {
             return;
         }
     }
-    m_table->deferred.EndPass();
+    m_table->deferred.End();
     m_table->cost.NotePass(m_updates, fixtures, static_cast<uint32_t>(m_manager->m_contactCount),
                            m_table->AwakeCount());
 }

@@ -68,7 +68,7 @@ bool StepIsOurs(const b2World &world) {
     const IslandSolver *const solver = IslandSolver::OfThread();
     const bool isOurs = RoundsToNearest() && solver != nullptr && !solver->isTaken;
     const PairTable *const table = FindPairTable(&manager);
-    if (table != nullptr && (!isOurs || world.IsLocked() || table->IsInPass()))
+    if (table != nullptr && (!isOurs || world.IsLocked() || table->IsHeld()))
         LeaveTable(&manager);
     return isOurs;
 }
@@ -90,9 +90,9 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
         next();
     }
     PairTable *const table = TableOfStep(world, &manager, seconds);
-    std::optional<PairTable::Pass> pass;
+    std::optional<PairTable::Hold> hold;
     if (table != nullptr)
-        pass.emplace(table);
+        hold.emplace(table);
     world->*Named(Locked()) = true;
     const bool advances = seconds > 0.0f;
     b2TimeStep step;
@@ -118,8 +118,8 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
     if (world->GetAutoClearForces())
         ClearForces(world, table);
     world->*Named(Locked()) = false;
-    if (pass.has_value())
-        pass->Complete();
+    if (hold.has_value())
+        hold->Complete();
     profile.step = whole.GetMilliseconds();
 }
 

@@ -128,9 +128,9 @@ void PairTable::Remove(uint32_t i) {
     TrimEnd();
 }
 
-/// Numbers below a pass's own are not to be given to newer contacts while it goes on.
+/// No number of a contact that has ended goes to a newer one while the table is held.
 void PairTable::TrimEnd() {
-    while (m_passes == 0 && m_count > 0 && m_contacts[m_count - 1] == nullptr)
+    while (m_holds == 0 && m_count > 0 && m_contacts[m_count - 1] == nullptr)
         --m_count;
 }
 
@@ -382,7 +382,7 @@ void DeferredEnable::EnableOfSleeper(const b2Body *body) {
     }
 }
 
-void DeferredEnable::EndPass() {
+void DeferredEnable::End() {
     if (m_gameRan || m_gameRanBefore || Verifying())
         EnableDownTo(0);
 }

@@ -225,11 +225,11 @@ public:
     /// The body fell asleep after the pass: its contacts stay as they are until it wakes, also in the middle
     /// of a step.
     void EnableOfSleeper(const b2Body *body);
-    /// The pass over pairs is complete. Code of the game that ran in this step, or since the last pass, may
-    /// have disabled contacts. In Mode::Verify all are enabled.
-    void EndPass();
+    /// The pass ends. Code of the game that ran in this step, or since the pass before, may have disabled
+    /// contacts. In Mode::Verify all are enabled.
+    void End();
 
-    /// Code of the game is to be called in a step that has a pass, behind it.
+    /// Code of the game is to be called, behind the pass.
     void BeforeGame() {
         EnableDownTo(0);
         m_gameRan = true;
@@ -406,20 +406,20 @@ public:
     /// Box2D's marks, of which ImpactTimes has a part, are all in the contacts from here on.
     void GiveMarksBack();
 
-    /// Has a pass, or a contact that ends, a pointer to it?
-    bool IsInPass() const { return m_passes > 0; }
+    /// Does a step that goes by it hold it, or a contact that ends?
+    bool IsHeld() const { return m_holds > 0; }
     /// Has the world left it (LeaveTable)? A step that is under way reads nothing here from then on, and goes
     /// on by Box2D's list.
     bool WasLeft() const { return m_left; }
 
-    /// A step is under way: numbers stay as they are. If an exception of the game's ends it, the world leaves
-    /// the table.
-    class Pass {
+    /// A step holds the table from its first pass to its last: numbers stay as they are. If an exception of
+    /// the game's ends the step, the world leaves the table.
+    class Hold {
     public:
-        explicit Pass(PairTable *table) : m_table(table) { ++table->m_passes; }
-        ~Pass();
-        Pass(const Pass &) = delete;
-        Pass &operator=(const Pass &) = delete;
+        explicit Hold(PairTable *table) : m_table(table) { ++table->m_holds; }
+        ~Hold();
+        Hold(const Hold &) = delete;
+        Hold &operator=(const Hold &) = delete;
         void Complete() { m_complete = true; }
 
     protected:
@@ -430,10 +430,10 @@ public:
     };
 
     /// The same while a contact ends. Its pair goes as this is complete.
-    class Ending : private Pass {
+    class Ending : private Hold {
     public:
         Ending(PairTable *table, const b2Contact *contact)
-            : Pass(table), m_contact(contact), m_number(table->FindNumber(contact)) {}
+            : Hold(table), m_contact(contact), m_number(table->FindNumber(contact)) {}
         void Complete();
 
     private:
@@ -502,7 +502,7 @@ private:
     int32 m_live = 0;
     uint32_t m_awakeCount = 0;
     uint64_t m_stamp = 1;
-    uint32_t m_passes = 0;          ///< under way
+    uint32_t m_holds = 0;
     bool m_interrupted = true;      ///< by steps that went by Box2D's list
     bool m_sweepsCarefully = false; ///< code of the game ran ahead of the search for impacts
 };

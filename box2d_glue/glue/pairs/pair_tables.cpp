@@ -91,7 +91,7 @@ struct Entry : PairTable {
     void Leave() { m_left = true; }
     WorldSign::Number sign = 0;
     Entry *next = nullptr;
-    bool isDropped = false; ///< and goes with the last pass that has it
+    bool isDropped = false; ///< and goes with the last hold
 };
 
 // Chains of worlds, by address. Programs have a few; some have thousands.
@@ -124,7 +124,7 @@ void Drop(const b2ContactManager *manager) {
     internal::changesOfPairTables.fetch_add(1, std::memory_order_release);
     ended->Leave();
     ended->isDropped = true;
-    if (!ended->IsInPass())
+    if (!ended->IsHeld())
         delete ended;
 }
 
@@ -175,7 +175,7 @@ PairTable *MakePairTable(b2ContactManager *manager) {
 PairTable *PairTableForStep(b2ContactManager *manager) {
     DropPairTableOfEmpty(manager);
     if (const Entry *const entry = FindAnyEntry(manager)) {
-        if (entry->IsInPass())
+        if (entry->IsHeld())
             return nullptr;
         if (entry->WasLeft())
             Drop(manager);
@@ -189,7 +189,7 @@ void DropPairTableOfEmpty(const b2ContactManager *manager) {
     if (manager->m_contactCount > 0 || !AnyPairTable())
         return;
     const Entry *const table = FindAnyEntry(manager);
-    if (table != nullptr && !table->IsInPass())
+    if (table != nullptr && !table->IsHeld())
         Drop(manager);
 }
 
@@ -200,18 +200,18 @@ void LeaveTable(const b2ContactManager *manager) {
     }
 }
 
-PairTable::Pass::~Pass() {
+PairTable::Hold::~Hold() {
     if (!m_complete && !m_table->WasLeft())
         LeaveTable(m_table->m_manager);
     auto *const entry = static_cast<Entry *>(m_table);
-    if (--m_table->m_passes == 0 && entry->isDropped)
+    if (--m_table->m_holds == 0 && entry->isDropped)
         delete entry;
 }
 
 void PairTable::Ending::Complete() {
     if (!m_table->WasLeft() && m_number != kNone && m_table->m_contacts[m_number] == m_contact)
         m_table->Remove(m_number);
-    Pass::Complete();
+    Hold::Complete();
 }
 
 void DropPairTable(const b2ContactManager *manager) {

@@ -56,7 +56,7 @@ inline bool HasLeft(PairTable *table) {
         LeaveTable(table->Manager());
     return table->WasLeft();
 }
-/// The world ends, or is to be forgotten. A pass that is under way keeps what it has.
+/// The world ends, or is to be forgotten. A step that holds the table keeps it to its end.
 void DropPairTable(const b2ContactManager *manager);
 
 } // namespace bmr
