@@ -50,9 +50,7 @@ void PairTable::Interrupt() {
     GiveMarksBack();
     bodies.NoteDisplaced();
     deferred.Forget();
-    deferred.NoteGame();
     m_interrupted = true;
-    ++m_stamp;
 }
 
 bool PairTable::CatchUp() {
