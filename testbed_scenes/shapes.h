@@ -64,7 +64,8 @@ private:
     float m_spacing;
 };
 
-/// The place of the i-th of many in rows of `columns` about x = 0, the lowest of them at this height.
+/// The place of the i-th of many in rows of `columns` about x = 0, the lowest row at this height. Neighbours
+/// in a row, and rows, are `spacing` apart.
 b2Vec2 InRows(int i, int columns, float spacing, float lowest);
 
 /// A dynamic body at a place, at any angle, that drifts at a speed in [slowest, fastest) and turns at less

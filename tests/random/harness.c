@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *fuzz_input_name = "";
 static const char *control;
 static bool control_known;
 static void (*on_found)(void);

@@ -36,6 +36,10 @@ bool fuzz_control(const char *name);
 /// For replay.c alone: the control asked for, and what is called when something was found.
 void fuzz_set_control(const char *name, void (*found)(void));
 
+/// The name of the corpus' input that replay.c plays. A mutated or made input has none: it is empty then, and
+/// always with libFuzzer.
+extern const char *fuzz_input_name;
+
 #ifdef __cplusplus
 }
 #endif

@@ -121,6 +121,7 @@ int main(int count, char **arguments) {
         free(made.bytes);
     }
     for (size_t i = 0; i < corpus_size; ++i) {
+        fuzz_input_name = corpus[i].name;
         if (seeds == 0)
             play(&corpus[i]);
         free(corpus[i].bytes);
