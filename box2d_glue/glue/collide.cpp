@@ -392,7 +392,7 @@ void CollidePass::Update(uint32_t i, b2Contact *contact) {
     const Pair pair = m_table->At(i);
     Count(&Counts::updates);
     ++m_updates;
-    m_table->deferred.NoteUpdated(i);
+    m_table->deferred.NoteSettled(i);
     SolidContact *const sensor = SensorWithEvents(contact);
     const bmr_vec2 before = sensor != nullptr ? sensor->GuessDirection() : bmr_vec2{0.0, 0.0};
     b2ContactListener *const listener = m_manager->m_contactListener; // of this moment

@@ -182,7 +182,7 @@ void ImpactPass::Update(b2Contact *contact) {
     const uint32_t i = m_table != nullptr ? m_table->NumberOf(contact) : PairTable::kNone;
     if (i == PairTable::kNone)
         return;
-    m_table->deferred.NoteUpdated(i);
+    m_table->deferred.NoteSettled(i);
     if (!wasAwakeA && a->IsAwake())
         MarkPending(a);
     if (!wasAwakeB && b->IsAwake())

@@ -168,7 +168,7 @@ void ImpactPass::SearchPair(uint32_t i) {
         return;
     }
     b2Contact *const contact = m_table->Contact(i);
-    EnableIfDeferred(i);
+    m_table->deferred.Settle(i);
     if (!contact->IsEnabled())
         m_table->impacts.disabled.Set(i);
     else if (MayImpact(contact))
@@ -190,12 +190,6 @@ void ImpactPass::FindDisabled() {
 
 // Later searches, by the table.
 
-/// Box2D enabled it, if it was active, before the first search.
-void ImpactPass::EnableIfDeferred(uint32_t i) {
-    m_table->deferred.EnableIfDeferred(i);
-    m_table->deferred.NoteUpdated(i);
-}
-
 void ImpactPass::SearchPending() {
     ImpactTimes &impacts = m_table->impacts;
     for (uint32_t word = m_table->Count() / 64 + 1; word-- > 0;)
@@ -210,7 +204,7 @@ void ImpactPass::SearchPending() {
 
 void ImpactPass::SearchPairAgain(uint32_t i) {
     b2Contact *const contact = m_table->Contact(i);
-    EnableIfDeferred(i);
+    m_table->deferred.Settle(i);
     if (!contact->IsEnabled())
         m_table->impacts.disabled.Set(i);
     else if (ContactAccess::CountOfImpacts(contact) <= b2_maxSubSteps && MayImpact(contact))

@@ -64,7 +64,6 @@ private:
     void SearchByTable();
     void SearchPair(uint32_t i);
     void FindDisabled();
-    void EnableIfDeferred(uint32_t i);
     void SearchPending();
     void SearchPairAgain(uint32_t i);
     void Queue(uint32_t i, float time);

@@ -216,7 +216,7 @@ void PairTable::AwakenPassed(const b2Body *body) {
         if (i == kNone || IsAwake(i))
             continue;
         Awaken(i);
-        deferred.NoteUpdated(i);
+        deferred.NoteSettled(i);
     }
 }
 
@@ -349,7 +349,7 @@ void DeferredEnable::EnableDownTo(uint32_t down) {
     while (m_below > down) {
         // The contacts of one word that are deferred, in any order: no code of the game runs in between.
         const uint32_t word = (m_below - 1) / 64, first = word * 64 > down ? word * 64 : down;
-        uint64_t deferred = m_table.AwakeOf(word) & ~m_updated.Word(word) & ~uint64_t{0} << (first % 64);
+        uint64_t deferred = m_table.AwakeOf(word) & ~m_settled.Word(word) & ~uint64_t{0} << (first % 64);
         if (m_below % 64 != 0)
             deferred &= ~(~uint64_t{0} << (m_below % 64));
         for (uint64_t left = deferred; left != 0; left &= left - 1)
@@ -367,16 +367,17 @@ void DeferredEnable::EnableDownTo(uint32_t down) {
     }
 }
 
-void DeferredEnable::EnableIfDeferred(uint32_t i) {
-    if (i < m_below && m_table.IsAwake(i) && !m_updated.Has(i) && IsActive(i))
+void DeferredEnable::Settle(uint32_t i) {
+    if (i < m_below && m_table.IsAwake(i) && !m_settled.Has(i) && IsActive(i))
         ContactAccess::Enable(m_table.Contact(i));
+    NoteSettled(i);
 }
 
 void DeferredEnable::EnableOfSleeper(const b2Body *body) {
     for (const b2ContactEdge *edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
         const uint32_t i = m_table.NumberOf(edge->contact);
         if (i != PairTable::kNone)
-            EnableIfDeferred(i);
+            Settle(i);
     }
 }
 

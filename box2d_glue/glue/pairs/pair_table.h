@@ -198,12 +198,12 @@ inline void ClearImpactMarks(b2Contact *contact) {
 class DeferredEnable {
 public:
     explicit DeferredEnable(const PairTable *table) : m_table(*table) {}
-    void Reserve(uint32_t count) { m_updated.Reserve(count); }
+    void Reserve(uint32_t count) { m_settled.Reserve(count); }
 
     /// A pass begins: all contacts below this are deferred.
     void Begin(uint32_t below) {
         m_below = below;
-        m_updated.ClearAll();
+        m_settled.ClearAll();
         m_gameRanBefore = m_gameRan;
         m_gameRan = false;
     }
@@ -217,11 +217,12 @@ public:
     }
     /// The pass goes on.
     void Resume(uint32_t below) { m_below = below; }
-    /// The contact is updated: from here on its flags are right.
-    void NoteUpdated(uint32_t i) { m_updated.Set(i); }
+    /// The contact is enabled or disabled as in Box2D: from here on nothing of it is deferred.
+    void NoteSettled(uint32_t i) { m_settled.Set(i); }
     /// From the newest that is deferred down to `down`.
     void EnableDownTo(uint32_t down);
-    void EnableIfDeferred(uint32_t i);
+    /// Settles the contact: enables it if that is deferred.
+    void Settle(uint32_t i);
     /// The body fell asleep after the pass: its contacts stay as they are until it wakes, also in the middle
     /// of a step.
     void EnableOfSleeper(const b2Body *body);
@@ -243,7 +244,7 @@ private:
     bool IsActive(uint32_t i) const;
 
     const PairTable &m_table;
-    BitColumn m_updated; ///< in the last pass
+    BitColumn m_settled; ///< since the pass began
     uint32_t m_below = 0;
     bool m_gameRan = true, m_gameRanBefore = true; ///< since the last pass began; and before, since another
 };
