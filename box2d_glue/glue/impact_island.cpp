@@ -39,9 +39,8 @@ void ImpactPass::BeforeGame() {
     m_candidates.Forget();
     if (m_table == nullptr)
         return;
-    if (!m_flagsAreRead)
+    if (!m_table->deferred.GameRan()) // else BeginSearch has read them
         m_table->motions.UpdateAllSweeps(m_table->Stamp());
-    m_flagsAreRead = true;
     m_table->deferred.BeforeGame();
 }
 

@@ -69,8 +69,7 @@ ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *sol
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener),
       m_table(table != nullptr && !HasLeft(table) ? table : nullptr),
-      m_candidates(world, &solver->Scratch().toiCandidates),
-      m_gameRan(m_table != nullptr && m_table->deferred.GameRan()), m_flagsAreRead(m_gameRan) {
+      m_candidates(world, &solver->Scratch().toiCandidates) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
 }
@@ -177,9 +176,10 @@ void ImpactPass::SearchPair(uint32_t i) {
 
 /// Ahead of the first impact, where the game may have disabled contacts: a deadline knows nothing of that.
 void ImpactPass::FindDisabled() {
-    if (m_disabledAreFound || !m_gameRan)
+    const bool isFirst = !m_hasMet;
+    m_hasMet = true;
+    if (!isFirst || !m_table->deferred.GameRan())
         return;
-    m_disabledAreFound = true;
     ImpactTimes &impacts = m_table->impacts;
     for (uint32_t i = 0; i < m_table->Count(); ++i)
         if (m_table->Contact(i) != nullptr && impacts.noImpact.Has(i) && !m_table->Contact(i)->IsEnabled()) {

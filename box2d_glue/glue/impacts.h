@@ -103,10 +103,8 @@ private:
     PairTable *m_table;            ///< nullptr: Box2D's list is searched
     ToiCandidates m_candidates;
     ImpactScan *m_scan = nullptr; ///< of the search; nullptr: Box2D answers
-    bool m_gameRan;               ///< ahead of the first search, and it may have changed more than motion
     bool m_wasGameCalled = false; ///< since the impact began
-    bool m_flagsAreRead;          ///< of all motions, ahead of the pass's first call
-    bool m_disabledAreFound = false;
+    bool m_hasMet = false;        ///< this is not the first impact
 };
 
 } // namespace bmr

@@ -71,7 +71,6 @@ private:
     bool m_isLinked = false;      ///< the links are all contacts that touch of bodies that are awake
     bool m_seedsAreAwake = false; ///< they are Bodies::Awake
     bool m_onlyAwake = false;     ///< only bodies of Bodies::Awake are in islands
-    bool m_gameWasCalled = false; ///< PostSolve; and contacts were enabled ahead of it
 };
 
 IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table)
@@ -248,7 +247,7 @@ void IslandPass::SolveIsland() {
     for (uint32_t i = 0; i < m_solver->ContactCount(); ++i)
         ContactAccess::Flags(m_solver->Contact(i)) &= ~ContactAccess::kInIsland;
     const bool callsGame = IsOfGame(m_listener) && m_solver->ContactCount() > 0;
-    if (callsGame && !m_gameWasCalled && m_table != nullptr)
+    if (callsGame && m_table != nullptr)
         m_table->deferred.BeforeGame();
     m_solver->Solve(m_world->GetGravity(), m_world->GetAllowSleeping());
     if (callsGame)
@@ -259,7 +258,6 @@ void IslandPass::SolveIsland() {
 /// were awake, nothing marks a sleeper's links as too few: none is followed from here on. Otherwise they
 /// hold, unless the world has left its table.
 void IslandPass::AfterGame() {
-    m_gameWasCalled = true;
     m_isLinked = m_isLinked && !m_seedsAreAwake;
     m_seedsAreAwake = m_onlyAwake = false;
     if (m_table == nullptr || !HasLeft(m_table))

@@ -290,8 +290,7 @@ void PairTable::BeginSearch() {
     if (motions.AreSumsLost())
         DropAllProofs();
     ++m_stamp; // and no sweep is compared
-    m_sweepsCarefully = deferred.GameRan();
-    if (m_sweepsCarefully)
+    if (deferred.GameRan())
         motions.UpdateAllSweeps(m_stamp);
     if (motions.TakeNewBullets())
         m_toiCandidates.SetAll();

@@ -380,7 +380,7 @@ public:
     /// Those of the 64 pairs of this word that may have an impact: of the pairs that are awake, and of all if
     /// code of the game, which may have woken bodies, ran since the pass.
     uint64_t ToSearch(uint32_t word) const {
-        return (m_sweepsCarefully ? ~uint64_t{0} : AwakeOf(word)) &
+        return (deferred.GameRan() ? ~uint64_t{0} : AwakeOf(word)) &
                (word < m_toiCandidates.Words() ? m_toiCandidates.Word(word) : 0);
     }
     /// Compares the two's sweeps. May Box2D look for an impact at all: one moves, and one is a bullet or not
@@ -399,8 +399,8 @@ public:
         if ((m_bits[i] & (kHasLine | kNoImpactProof)) != kHasLine)
             return false;
         const Pair pair = m_pairs[i];
-        motions.UpdateEnd(pair.a, m_sweepsCarefully, m_stamp);
-        motions.UpdateEnd(pair.b, m_sweepsCarefully, m_stamp);
+        motions.UpdateEnd(pair.a, deferred.GameRan(), m_stamp);
+        motions.UpdateEnd(pair.b, deferred.GameRan(), m_stamp);
         return !bmr_budget_is_due(pair.deadline, motions.End(pair.a), motions.End(pair.b));
     }
 
@@ -479,14 +479,14 @@ private:
     /// compared where this says nothing.)
     bool RuleOutImpact(uint32_t i) {
         const Pair pair = m_pairs[i];
-        if (m_sweepsCarefully &&
+        if (deferred.GameRan() &&
             ((motions.SweepBits(pair.a) | motions.SweepBits(pair.b)) & kBulletOrStatic) != 0)
             return false;
         const uint8_t a = motions.Bits(pair.a), b = motions.Bits(pair.b);
         const bool passSaysSo = (a & b & kUpdated) != 0 && ((a | b) & kBulletOrStatic) == 0;
         if (passSaysSo && IsAwake(i))
             m_toiCandidates.Clear(i);
-        return m_sweepsCarefully || passSaysSo;
+        return deferred.GameRan() || passSaysSo;
     }
 
     b2ContactManager *m_manager;
@@ -504,8 +504,7 @@ private:
     uint32_t m_awakeCount = 0;
     uint64_t m_stamp = 1;
     uint32_t m_holds = 0;
-    bool m_interrupted = true;      ///< by steps that went by Box2D's list
-    bool m_sweepsCarefully = false; ///< code of the game ran ahead of the search for impacts
+    bool m_interrupted = true; ///< by steps that went by Box2D's list
 };
 
 } // namespace bmr
