@@ -430,11 +430,11 @@ void CollidePass::Visit(uint32_t i) {
     const FixtureMotions &motions = m_table->motions;
     const Pair pair = m_table->At(i);
     b2Contact *const contact = m_table->Contact(i);
-    const bool hasLine = (m_table->Bits(i) & kHasLine) != 0;
-    if (!hasLine)
+    const bool hasProof = (m_table->Bits(i) & kHasProof) != 0;
+    if (!hasProof)
         m_table->Refresh(i);
-    // A contact that is flagged for filtering loses its line (PairTable::Flag), and Prove gives it none.
-    if (!hasLine && ContactAccess::WantsFiltering(*contact)) {
+    // A contact that is flagged for filtering loses its proof (PairTable::Flag), and Prove gives it none.
+    if (!hasProof && ContactAccess::WantsFiltering(*contact)) {
         const bool passes = PassesFilter(contact);
         if (!passes) {
             Destroy(i, contact);

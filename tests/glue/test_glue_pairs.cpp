@@ -74,7 +74,7 @@ TEST_CASE("a row is in the band that its body is in") {
             CAPTURE(place.y);
             yard.At(0.0f);
             const uint8_t bits = yard.At(place.x, place.y);
-            CHECK((bits & bmr::kPlain) == 0);
+            CHECK((bits & bmr::kNoBudget) == 0);
             CHECK((bits & bmr::kChanged) != 0); // its pairs' lines left less
             CHECK(yard.Band() == band);
             CHECK(yard.motions.RoundingMargin(yard.row, yard.row) == bmr::BandMargin(band));
@@ -97,7 +97,7 @@ TEST_CASE("the extent counts as much as the analysis says") {
     // Larger than band 0 has room for: nowhere.
     Yard large(kBorder);
     for (const float x : {0.0f, 2.0f * kBorder})
-        CHECK((large.At(x) & bmr::kPlain) != 0);
+        CHECK((large.At(x) & bmr::kNoBudget) != 0);
 }
 
 TEST_CASE("who trembles about a border is in the farther band, and nothing is said of it") {
@@ -120,12 +120,12 @@ TEST_CASE("who trembles about a border is in the farther band, and nothing is sa
 TEST_CASE("beyond the last band, and nowhere, there is no budget") {
     const float last = std::ldexp(kBorder, bmr::kBands - 1);
     Yard yard;
-    CHECK((yard.At(last - 5.0f) & bmr::kPlain) == 0);
+    CHECK((yard.At(last - 5.0f) & bmr::kNoBudget) == 0);
     const uint8_t gone = yard.At(last + 5.0f);
-    CHECK((gone & bmr::kPlain) != 0);
+    CHECK((gone & bmr::kNoBudget) != 0);
     CHECK((gone & bmr::kChanged) != 0);
-    CHECK((yard.At(0.0f) & bmr::kPlain) == 0);
-    CHECK((yard.At(1e30f) & bmr::kPlain) != 0);
+    CHECK((yard.At(0.0f) & bmr::kNoBudget) == 0);
+    CHECK((yard.At(1e30f) & bmr::kNoBudget) != 0);
 }
 
 namespace {

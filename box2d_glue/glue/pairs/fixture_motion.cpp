@@ -123,7 +123,7 @@ uint32_t FixtureMotions::Acquire(const b2Fixture *fixture, const b2BroadPhase &b
         m_changeable.Reserve(row + 1);
         ++m_count;
     } else {
-        m_free = m_rows[row].awake;
+        m_free = m_rows[row].nextFree;
     }
     FixtureMotion &motion = m_rows[row];
     motion = {};
@@ -146,7 +146,7 @@ void FixtureMotions::Release(uint32_t row) {
         return;
     m_byFixture.Remove(row, [this](uint32_t other) { return KeyOf(m_rows[other].fixture); });
     m_bits[row] = 0;
-    m_rows[row].awake = m_free; // the next free row
+    m_rows[row].nextFree = m_free;
     m_free = row;
 }
 
@@ -167,7 +167,7 @@ void FixtureMotions::Clear() {
 bool FixtureMotions::UpdateShape(FixtureMotion *motion, uint8_t *bits) const {
     const b2PolygonShape *polygon = PolygonOf(*motion->fixture);
     if (polygon == nullptr) {
-        *bits |= kPlain;
+        *bits |= kNoBudget;
         return false;
     }
     const uint64_t digest = DigestOf(*polygon);
@@ -177,7 +177,7 @@ bool FixtureMotions::UpdateShape(FixtureMotion *motion, uint8_t *bits) const {
         motion->sound = Measure(motion, *polygon);
     }
     if (!motion->sound)
-        *bits |= kPlain;
+        *bits |= kNoBudget;
     return changed;
 }
 
@@ -197,7 +197,7 @@ bool FixtureMotions::ChangesBand(FixtureMotion *motion, uint8_t *bits) {
     const uint8_t before = motion->band;
     // (A number that is none is far.)
     if (!(reach <= kReach0 && farthest <= std::ldexp(kReach0, kBands - 1))) {
-        *bits |= kPlain;
+        *bits |= kNoBudget;
         motion->band = kBands;
         return motion->band != before;
     }

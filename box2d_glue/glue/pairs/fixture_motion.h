@@ -41,8 +41,11 @@ struct alignas(64) FixtureMotion {
     const b2Body *body;
     const b2Fixture *fixture;
     uint32_t pairs;  ///< contacts of it
-    uint32_t proved; ///< contacts that have a line
-    uint32_t awake;  ///< of these, the ones of which one body at least is awake
+    uint32_t proved; ///< of these, the ones that have a proof (kHasProof)
+    union {
+        uint32_t awake;    ///< of `pairs`, the ones of which one body at least is awake
+        uint32_t nextFree; ///< of a free row
+    };
 
     // An update compares and writes these, too.
     int32 proxy;       ///< b2BroadPhase::e_nullProxy where it has none or several: then there is no box here
@@ -62,7 +65,7 @@ enum MotionBit : uint8_t {
     kActive = 1,         ///< its body is awake, and not static
     kBulletOrStatic = 2, ///< its body is a bullet, or not dynamic: nothing is to tunnel through it
     kIsSensor = 4,       ///< as the fixture says
-    kPlain = 8, ///< no budget for its contacts: no polygon, a broken one, or farther out than all bands
+    kNoBudget = 8,       ///< for its contacts: no polygon, a broken one, or farther out than all bands
     kChanged =
         16, ///< another shape than at the update before, or another band: lines of its pairs prove nothing
     kChangedLate = 32, ///< the same, seen in the middle of a pass: to be said again in the next one
@@ -86,7 +89,7 @@ public:
     /// refuses to move bodies, and nothing changes their boxes. What a game still can change is compared, a
     /// third of an update. False if that has changed: then update.
     bool ConfirmAsBefore(uint32_t row, uint64_t stamp);
-    /// A contact of the row gets a line. With the first one the row is read in full, and what it finds is no
+    /// A contact of the row gets a proof. With the first one the row is read in full, and what it finds is no
     /// motion.
     void AddProof(uint32_t row, const b2BroadPhase &broadPhase, uint64_t stamp) {
         if (m_rows[row].proved == 0)

@@ -180,7 +180,7 @@ void PairTable::Awaken(uint32_t i) {
 }
 
 void PairTable::SetAsleep(uint32_t i) {
-    DropLine(i);
+    DropProof(i);
     for (const uint32_t row : {m_pairs[i].a, m_pairs[i].b})
         --motions[row].awake;
     m_awake.Clear(i);
@@ -277,7 +277,7 @@ uint32_t PairTable::NextDue(uint32_t end) {
             Awaken(end); // one of its bodies has woken since the pass began
         if (!IsAwake(end))
             continue;
-        if ((m_bits[end] & kHasLine) == 0)
+        if ((m_bits[end] & kHasProof) == 0)
             return end; // due, for any motion of its fixtures
         Refresh(end);
         if (motions.AreSumsLost() || IsDue(end))
@@ -306,7 +306,7 @@ void PairTable::DropAllProofs() {
 
 bool PairTable::Renew(uint32_t i, double threshold) {
     const Pair &pair = m_pairs[i];
-    if ((m_bits[i] & kHasLine) == 0 || ((motions.Bits(pair.a) | motions.Bits(pair.b)) & kChanged) != 0 ||
+    if ((m_bits[i] & kHasProof) == 0 || ((motions.Bits(pair.a) | motions.Bits(pair.b)) & kChanged) != 0 ||
         motions.AreSumsLost())
         return false;
     const bmr_mover &a = motions[pair.a].mover, &b = motions[pair.b].mover;
@@ -319,12 +319,12 @@ bool PairTable::Renew(uint32_t i, double threshold) {
 }
 
 bool PairTable::BeginProof(uint32_t i) {
-    DropLine(i);
+    DropProof(i);
     const Pair &pair = m_pairs[i];
     motions.AddProof(pair.a, m_manager->m_broadPhase, m_stamp);
     motions.AddProof(pair.b, m_manager->m_broadPhase, m_stamp);
-    m_bits[i] |= kHasLine;
-    return ((motions.Bits(pair.a) | motions.Bits(pair.b)) & kPlain) == 0;
+    m_bits[i] |= kHasProof;
+    return ((motions.Bits(pair.a) | motions.Bits(pair.b)) & kNoBudget) == 0;
 }
 
 void PairTable::Prove(uint32_t i, bmr_vec2 d, double gap, double threshold, bool forImpactsToo) {

@@ -51,7 +51,7 @@ struct ContactNumber : b2Contact {
 
 /// The bits of a pair.
 enum PairBit : uint8_t {
-    kHasLine = 1,       ///< it was proved apart; its line renews the deadline
+    kHasProof = 1, ///< it was proved apart, which both motions count; its line, if any, renews the deadline
     kNoImpactProof = 2, ///< its deadline says nothing of impacts
 };
 
@@ -252,14 +252,15 @@ private:
 /// The table of a world's pairs: one for each contact, the oldest first. Box2D puts new contacts at the head
 /// of its lists, so that the world's list and every body's are in descending order here.
 ///
-/// A pair is in one of four states:
-/// - asleep: none of its bodies was awake when the pass over pairs last saw it. No pass reads it.
+/// A pair is in one of three states:
+/// - asleep: none of its bodies was awake when the pass over pairs last saw it. No pass reads it, unless code
+///   of the game ran, which may have woken one.
 /// - apart: two fixtures were proved apart, until the sums of their motions reach the pair's deadline. Until
 ///   then no pass reads the contact. The same deadline answers the search for impacts, with the sums that a
 ///   sweep may reach.
 /// - due: the next pass over pairs updates it.
-/// - touching: it touched at its last update, and is due.
-/// Beside the state a pair may have a time of impact (ImpactTimes).
+/// Beside the state the table knows of a pair whether it touches, as its last update left it (then it is due
+/// or asleep), whether it may have an impact, and its time of impact (ImpactTimes).
 ///
 /// The passes (passes.h) are functions over the table. One thread at a time uses it, the one that its world
 /// is used by. It allocates where contacts begin, never on the way of a pair that stays apart.
@@ -316,8 +317,8 @@ public:
 
     // A pass over all pairs, newest first.
 
-    /// Compares all fixtures with what they were; awakens the pairs of those that woke. Returns how many of
-    /// them are of bodies that are awake.
+    /// Compares each fixture that has a proof with what it was, and counts those of bodies that are awake.
+    /// Awakens the pairs of all that woke.
     uint32_t UpdateMotions();
     /// Of the 64 pairs of this word, a bit each for those that are due. Good until code of the game runs, or
     /// a body wakes.
@@ -358,7 +359,7 @@ public:
     void SetDue(uint32_t i) {
         Pair &pair = m_pairs[i];
         pair.deadline = motions.Moved(pair.a) + motions.Moved(pair.b);
-        DropLine(i);
+        DropProof(i);
     }
     /// Neither of its bodies is awake.
     void SetAsleep(uint32_t i);
@@ -396,7 +397,7 @@ public:
     }
     /// Does the deadline outlast the step's sweeps?
     bool OutlastsSweeps(uint32_t i) {
-        if ((m_bits[i] & (kHasLine | kNoImpactProof)) != kHasLine)
+        if ((m_bits[i] & (kHasProof | kNoImpactProof)) != kHasProof)
             return false;
         const Pair pair = m_pairs[i];
         motions.UpdateEnd(pair.a, deferred.GameRan(), m_stamp);
@@ -466,10 +467,10 @@ private:
             motions.Update(row, m_manager->m_broadPhase, m_stamp, true);
     }
     void Awaken(uint32_t i);
-    void DropLine(uint32_t i) {
-        if ((m_bits[i] & kHasLine) == 0)
+    void DropProof(uint32_t i) {
+        if ((m_bits[i] & kHasProof) == 0)
             return;
-        m_bits[i] &= static_cast<uint8_t>(~kHasLine);
+        m_bits[i] &= static_cast<uint8_t>(~kHasProof);
         motions.DropProof(m_pairs[i].a);
         motions.DropProof(m_pairs[i].b);
     }
