@@ -13,7 +13,26 @@
 /// @file
 /// Rational arithmetic, and a filter before it: what is true of points given as doubles. Nothing of core's.
 
+#if defined(__GLIBC__)
+extern "C" {
+void *__libc_malloc(size_t size);
+void *__libc_realloc(void *memory, size_t size);
+void __libc_free(void *memory);
+}
+#endif
+
 namespace exact {
+
+#if defined(__GLIBC__)
+/// Fractions have their memory from the C library itself: a sanitizer that is asked for each takes longer
+/// than the arithmetic.
+inline const bool kHasMemory = [] {
+    mp_set_memory_functions(
+        __libc_malloc, [](void *memory, size_t, size_t size) { return __libc_realloc(memory, size); },
+        [](void *memory, size_t) { __libc_free(memory); });
+    return true;
+}();
+#endif
 
 /// The side of c as seen from a towards b: 1 left, -1 right, 0 on the line. All finite.
 inline int Orientation(bmr_vec2 a, bmr_vec2 b, bmr_vec2 c) {

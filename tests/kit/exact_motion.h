@@ -2,13 +2,8 @@
 #ifndef BOOMERANG_TEST_EXACT_MOTION_H
 #define BOOMERANG_TEST_EXACT_MOTION_H
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include <gmpxx.h>
-
 #include "boomerang/pose.h"
+#include "exact.h"
 
 /// @file
 /// Points of moving bodies in rational arithmetic: where a pose's matrix puts them as it stands, and how far
