@@ -211,6 +211,29 @@ AS_STOCK("thrown: a body's shape is changed again and again, and each time an ex
     }
 }
 
+// Each change counts as a long way, and sums of ways wrap. The newest pair was passed ahead of all changes.
+AS_STOCK(
+    "grown: a body's shape is changed again and again in one loop over contacts, until it touches others") {
+    for (const int calls : {4, 18, 24}) {
+        Bar game(run);
+        game.world.SetContinuousPhysics(calls != 24); // a search for impacts asks for sums, too
+        const b2Body *const newest = game.Awake({38.0f, 0.2f + Bar::kGap}, {0.1f, 0.1f});
+        game.Step(2);
+        int call = 0;
+        game.listener.preSolve = [&] {
+            if (++call <= calls)
+                PolygonOf(game.bar)->SetAsBox(40.0f, call == calls   ? 0.1f + Bar::kGap
+                                                     : call % 2 == 0 ? 0.1f
+                                                                     : 0.095f);
+        };
+        game.Step();
+        game.listener.preSolve = nullptr;
+        game.Step();
+        game.TookPlace(newest->GetContactList()->contact->IsTouching(), "the bar touches boxes");
+        game.Step(2);
+    }
+}
+
 // Islands to come hold joints with bodies that are made where others were, which touched.
 AS_STOCK(
     "gone: PostSolve steps its world, and destroys bodies that touch; the next one makes others, and ties "
