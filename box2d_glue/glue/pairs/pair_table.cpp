@@ -163,7 +163,6 @@ void PairTable::Compact() {
         ++to;
     }
     m_count = to;
-    deferred.Forget();
 }
 
 // Which pairs are awake, and which of these are due.
@@ -289,7 +288,6 @@ uint32_t PairTable::NextDue(uint32_t end) {
 void PairTable::BeginSearch() {
     if (motions.AreSumsLost())
         DropAllProofs();
-    ++m_stamp; // and no sweep is compared
     if (deferred.GameRan())
         motions.UpdateAllSweeps(m_stamp);
     if (motions.TakeNewBullets())

@@ -207,7 +207,7 @@ public:
         m_gameRanBefore = m_gameRan;
         m_gameRan = false;
     }
-    /// Numbers change, or Box2D's list enables what is passed: no contact is deferred.
+    /// Box2D's list enables what is passed: no contact is deferred.
     void Forget() { m_below = 0; }
     /// Code of the game runs within the pass, which has come down to `down`, and may ask for other code of
     /// the game, or end the pass by an exception: none but the contacts from there on were passed.
