@@ -137,30 +137,34 @@ AS_STOCK(
 
 // A table rests because of the boxes that touch, until they sleep. Box2D puts all bodies back to the
 // beginning of their sweeps before it looks for impacts, those that sleep, too.
-AS_STOCK(
-    "displaced: a shot meets a post in a step by Box2D's list, and is hit in its sleep in the next one") {
-    Game game(run);
-    for (int i = 0; i < 150; ++i)
-        for (const float y : {50.0f, 50.9f})
-            game.Box({3.0f * Real(i), y}, {0.4f, 0.4f})->SetAwake(false);
-    std::vector<b2Body *> touching;
-    for (int i = 0; i < 30; ++i)
-        touching.push_back(game.Awake({0.995f * Real(i % 6), -50.0f + 0.995f * Real(i / 6)}));
-    game.Wall({0.0f, 0.0f}, {0.05f, 1.0f});
-    b2Body *const first = game.Awake({-0.3f, 0.0f}, {0.1f, 0.1f});
-    b2Body *const second = game.Awake({-0.6f, 0.0f}, {0.1f, 0.1f});
-    second->SetBullet(true);
-    game.Step(12);
-    for (b2Body *body : touching)
-        body->SetAwake(false);
-    first->SetLinearVelocity({120.0f, 0.0f});
-    game.Step();
-    game.Stage(Game::LeftOf(0.0f, {first}) == 1, "the post stops the first");
-    first->SetAwake(false);
-    second->SetLinearVelocity({60.0f, 0.0f});
-    game.Step();
-    game.TookPlace(first->IsAwake(), "the second hits it");
-    game.Step(3);
+AS_STOCK("displaced: a shot meets a post, in a step by Box2D's list or not, and is hit in its sleep in the "
+         "next one") {
+    for (const bool byList : {true, false}) {
+        Game game(run);
+        for (int i = 0; i < 150; ++i)
+            for (const float y : {50.0f, 50.9f})
+                game.Box({3.0f * Real(i), y}, {0.4f, 0.4f})->SetAwake(false);
+        std::vector<b2Body *> touching;
+        for (int i = 0; i < 30; ++i) {
+            touching.push_back(game.Awake({0.995f * Real(i % 6), -50.0f + 0.995f * Real(i / 6)}));
+            touching.back()->SetAwake(byList);
+        }
+        game.Wall({0.0f, 0.0f}, {0.05f, 1.0f});
+        b2Body *const first = game.Awake({-0.3f, 0.0f}, {0.1f, 0.1f});
+        b2Body *const second = game.Awake({-0.6f, 0.0f}, {0.1f, 0.1f});
+        second->SetBullet(true);
+        game.Step(12);
+        for (b2Body *body : touching)
+            body->SetAwake(false);
+        first->SetLinearVelocity({120.0f, 0.0f});
+        game.Step();
+        game.Stage(Game::LeftOf(0.0f, {first}) == 1, "the post stops the first");
+        first->SetAwake(false);
+        second->SetLinearVelocity({60.0f, 0.0f});
+        game.Step();
+        game.TookPlace(first->IsAwake(), "the second hits it");
+        game.Step(3);
+    }
 }
 
 // Box2D clears the forces of all bodies, also in a step that solves no island.
