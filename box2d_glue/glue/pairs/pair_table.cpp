@@ -184,7 +184,6 @@ void PairTable::SetAsleep(uint32_t i) {
         --motions[row].awake;
     m_awake.Clear(i);
     --m_awakeCount;
-    m_toiCandidates.Set(i);
 }
 
 void PairTable::Flag(const b2Contact *contact) {

@@ -497,8 +497,8 @@ private:
     Column<uint8_t> m_bits;
     BitColumn m_awake;    ///< all that are not asleep
     BitColumn m_touching; ///< as the contact was left by its last update
-    /// One of the two is a bullet or not dynamic, as far as is known. Without this bit the pair is awake, and
-    /// neither fixture had kBulletOrStatic at any update since.
+    /// One of the two is a bullet or not dynamic, as far as is known. Without this bit neither fixture had
+    /// kBulletOrStatic at any update since the pair woke, unless TakeNewBullets is still to say so.
     BitColumn m_toiCandidates;
     uint32_t m_count = 0; ///< pairs, those of contacts that have ended among them
     int32 m_live = 0;
