@@ -237,15 +237,21 @@ AS_STOCK("enabled: a listener disables a contact ahead of its impact, and enable
 // A sleeper's sweep is that of its last step. This one's leads through the platform.
 AS_STOCK("woken: a shot wakes a platform, or a box that leans on it, and what has gone through it asleep is "
          "put back") {
-    for (const bool leans : {false, true}) {
+    for (const int way : {0, 1, 2, 3}) {
+        const bool leans = way % 2 == 1, isOldest = way / 2 == 1; // of a contact the older one is the first
         Game game(run);
         for (int i = 0; i < 60; ++i)
             game.Near({3.0f * Real(i), 50.0f});
+        b2Body *shot = nullptr;
+        const auto make = [&] { shot = game.Awake({leans ? -0.595f : -0.2f, 0.5f}, {0.1f, 0.1f}); };
+        if (isOldest)
+            make();
         b2Body *const platform = game.Body(b2_kinematicBody, {0.0f, 0.0f});
         game.Box(platform, 0.05f, 1.0f);
         b2Body *const through = game.Box({-0.5f, -0.6f}, {0.2f, 0.2f});
         b2Body *const leaning = leans ? game.Box({-0.245f, 0.5f}, {0.2f, 0.2f}) : platform;
-        b2Body *const shot = game.Awake({leans ? -0.595f : -0.2f, 0.5f}, {0.1f, 0.1f});
+        if (!isOldest)
+            make();
         shot->SetBullet(true);
         game.Step(2);
         game.world.SetContinuousPhysics(false);
