@@ -234,6 +234,30 @@ AS_STOCK("enabled: a listener disables a contact ahead of its impact, and enable
     }
 }
 
+// Box2D disables a contact that does not touch at its impact. Nobody is called ahead of that.
+AS_STOCK(
+    "passed over: two without skins impact and do not touch, and a listener is told of the next impact") {
+    Heard game(run);
+    for (int i = 0; i < 60; ++i)
+        game.Near({3.0f * Real(i), 50.0f});
+    std::vector<b2Body *> shots;
+    for (const float y : {0.0f, 10.0f}) {
+        b2Body *const post = game.Wall({0.0f, y}, {0.05f, 1.0f});
+        shots.push_back(game.Awake({-0.3f, y}, {0.1f, 0.1f}));
+        if (y == 0.0f)
+            PolygonOf(post)->m_radius = PolygonOf(shots[0])->m_radius = 0.0f;
+    }
+    game.Step(6);
+    game.Stage(game.listener.calls == 0, "nobody is called");
+    int disabled = 0;
+    game.listener.begin = [&] { disabled += shots[0]->GetContactList()->contact->IsEnabled() ? 0 : 1; };
+    shots[0]->SetLinearVelocity({120.0f, 0.0f});
+    shots[1]->SetLinearVelocity({30.0f, 0.0f});
+    game.Step();
+    game.TookPlace(disabled, "a contact is disabled");
+    game.Step(2);
+}
+
 // A sleeper's sweep is that of its last step. This one's leads through the platform.
 AS_STOCK("woken: a shot wakes a platform, or a box that leans on it, and what has gone through it asleep is "
          "put back") {
