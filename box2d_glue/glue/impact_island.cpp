@@ -178,10 +178,8 @@ void ImpactPass::Update(b2Contact *contact) {
         m_table->Flag(contact); // it is due in the next step, which reads whether it touches
     CallListener(listener, contact, change, [this] { BeforeGame(); });
     CheckTable();
-    const uint32_t i = m_table != nullptr ? m_table->NumberOf(contact) : PairTable::kNone;
-    if (i == PairTable::kNone)
+    if (m_table == nullptr)
         return;
-    m_table->deferred.NoteSettled(i);
     if (!wasAwakeA && a->IsAwake())
         MarkPending(a);
     if (!wasAwakeB && b->IsAwake())
