@@ -20,17 +20,6 @@ static bool is_pose(const bmr_pose *q) {
     return isfinite(q->position.x) && isfinite(q->position.y) && isfinite(q->c) && isfinite(q->s);
 }
 
-/// Both bodies' poses, and their velocities, which an answer changes.
-typedef struct momentum {
-    bmr_instant of[2];
-} momentum;
-
-static momentum momentum_of(const bmr_world *w, const bmr_body_pair *c) {
-    const momentum m = {{bmr_piece_instant(&c->side[0]->now.piece, w->time),
-                         bmr_piece_instant(&c->side[1]->now.piece, w->time)}};
-    return m;
-}
-
 /// The point that approaches fastest.
 static size_t fastest(const bmr_contact *contact) {
     return contact->count == 2 && contact->approach[1] < contact->approach[0] ? 1 : 0;
@@ -46,12 +35,13 @@ static double ease(const bmr_body_pair *c, const bmr_touch *touch, size_t k) {
     return sum;
 }
 
-static void push(const bmr_body_pair *c, const bmr_touch *touch, size_t k, double impulse, momentum *m) {
+static void push(const bmr_body_pair *c, const bmr_touch *touch, size_t k, double impulse,
+                 bmr_instant now[2]) {
     const bmr_vec2 normal = touch->contact.normal;
     for (int body = 0; body < 2; body++) {
         const double own = body == 0 ? -impulse : impulse;
-        m->of[body].velocity = bmr_add(m->of[body].velocity, bmr_scale(own / c->side[body]->mass, normal));
-        m->of[body].spin += own * bmr_cross(touch->arm[body][k], normal) / c->side[body]->inertia;
+        now[body].velocity = bmr_add(now[body].velocity, bmr_scale(own / c->side[body]->mass, normal));
+        now[body].spin += own * bmr_cross(touch->arm[body][k], normal) / c->side[body]->inertia;
     }
 }
 
@@ -104,10 +94,9 @@ static double bounce_of(const bmr_world *w, const bmr_near *n, double restitutio
 }
 
 /// False: the two cannot be moved.
-static bool collide(bmr_world *w, const bmr_body_pair *c, double restitution, bmr_touch *touch, momentum *m,
-                    bool *changed) {
+static bool collide(bmr_world *w, const bmr_body_pair *c, double restitution, bmr_touch *touch,
+                    bmr_instant now[2], bool *changed) {
     const double first = touch->contact.approach[fastest(&touch->contact)];
-    *changed = false;
     for (int i = 0; i < MOST_IMPULSES; i++) {
         const size_t k = fastest(&touch->contact);
         const double approach = touch->contact.approach[k];
@@ -121,12 +110,10 @@ static bool collide(bmr_world *w, const bmr_body_pair *c, double restitution, bm
         }
         if (!isfinite(impulse[0]) || !isfinite(impulse[1])) // nothing moves either
             return false;
-        const bool two = touch->contact.count == 2;
-        const double before[2] = {touch->contact.approach[0], two ? touch->contact.approach[1] : 0.0};
-        push(c, touch, 0, impulse[0], m);
-        if (two)
-            push(c, touch, 1, impulse[1], m);
-        bmr_touch_move(touch, m->of);
+        const double before[2] = {touch->contact.approach[0], touch->contact.approach[1]};
+        for (size_t point = 0; point < touch->contact.count; point++)
+            push(c, touch, point, impulse[point], now);
+        bmr_touch_move(touch, now);
         w->counts.impulses++;
         if (bounce > restitution) {
             const double kept = -(impulse[0] * before[0] + impulse[1] * before[1]);
@@ -140,13 +127,12 @@ static bool collide(bmr_world *w, const bmr_body_pair *c, double restitution, bm
 }
 
 /// Both bodies go on from where they are.
-static bmr_error set_momentum(bmr_world *w, bmr_body_pair *c, const momentum *m) {
+static bmr_error go_on(bmr_world *w, bmr_body_pair *c, const bmr_instant now[2]) {
     for (int i = 0; i < 2; i++) {
         bmr_world_body *const r = c->side[i];
         if (isinf(r->mass) && isinf(r->inertia))
             continue;
-        const bmr_motion_piece piece =
-            bmr_piece_screw(w->time, m->of[i].pose, m->of[i].velocity, m->of[i].spin);
+        const bmr_motion_piece piece = bmr_piece_screw(w->time, now[i].pose, now[i].velocity, now[i].spin);
         const bmr_error error = bmr_body_move(w, r, &piece, INFINITY, NULL);
         if (error != BMR_OK || !w->busy) // the latter: its pose jumped, and the pair is gone
             return error;
@@ -161,51 +147,39 @@ static bool makes_sense(const bmr_response *response) {
 }
 
 static bmr_error answer(bmr_world *w, bmr_body_pair *c, const bmr_response *response, bmr_touch *touch) {
-    momentum m = momentum_of(w, c);
-    bmr_touch_move(touch, m.of); // a callback may have changed them
-    bool can = response->kind != BMR_RESPONSE_PASS && is_pose(&m.of[0].pose) && is_pose(&m.of[1].pose),
-         changed = false;
-    if (can && response->kind == BMR_RESPONSE_IMPULSE)
-        can = collide(w, c, response->restitution, touch, &m, &changed);
-    if (!can) {
+    if (!makes_sense(response)) {
         bmr_body_pair_pass(w, c);
-        return BMR_OK;
+        return bmr_body_pair_stop(w, c, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_ANSWER);
     }
-    if (changed) {
-        const bmr_error error = set_momentum(w, c, &m);
-        if (!w->busy) // a pose that is none: the pair was given up
-            return error;
-        if (error != BMR_OK) {
-            bmr_body_pair_pass(w, c);
-            return error;
-        }
+    bmr_instant now[2];
+    bmr_body_pair_now(w, c, now);
+    bmr_touch_move(touch, now); // a callback may have changed them
+    bool can = response->kind != BMR_RESPONSE_PASS && is_pose(&now[0].pose) && is_pose(&now[1].pose);
+    bool changed = false;
+    if (can && response->kind == BMR_RESPONSE_IMPULSE)
+        can = collide(w, c, response->restitution, touch, now, &changed);
+    const bmr_error error = can && changed ? go_on(w, c, now) : BMR_OK;
+    if (!w->busy) // a pose that is none: the pair was given up
+        return error;
+    if (!can || error != BMR_OK) {
+        bmr_body_pair_pass(w, c);
+        return error;
     }
-    const bmr_contact *contact = &touch->contact;
-    return bmr_body_pair_resume(w, c, contact->placed, contact->approach[fastest(contact)]);
+    return bmr_body_pair_resume(w, c, touch->contact.approach[fastest(&touch->contact)]);
 }
 
-bmr_error bmr_contact_report(bmr_world *w, bmr_body_pair *c, bool placed) {
+bmr_error bmr_contact_report(bmr_world *w, bmr_body_pair *c) {
     bmr_touch touch;
-    bmr_touch_describe(w, c, placed, &touch);
-    // While it is reported nothing is due of this pair, and it is as one that passes.
-    bmr_body_pair_hold(w, c);
+    bmr_touch_describe(w, c, &touch);
     bmr_response response = w->def.response;
+    w->busy = c;
     if (w->def.contact) {
-        w->busy = c;
         const bmr_contact contact = touch.contact;
         response = w->def.contact(w->def.context, w, &contact);
-        c = w->busy; // NULL: it is gone
-        w->busy = NULL;
     }
-    bmr_error error = BMR_OK;
-    if (c && !makes_sense(&response)) {
-        bmr_body_pair_pass(w, c);
-        error = bmr_body_pair_stop(w, c, BMR_ERROR_OUT_OF_RANGE, BMR_TROUBLE_ANSWER);
-    } else if (c) {
-        w->busy = c; // the answer changes motions; this pair's own turn comes after
-        error = answer(w, c, &response, &touch);
-        w->busy = NULL;
-    }
+    // The answer changes motions; this pair's own turn comes after. (NULL: the callback ended it.)
+    const bmr_error error = w->busy ? answer(w, c, &response, &touch) : BMR_OK;
+    w->busy = NULL;
     bmr_world_observe(w, BMR_WORLD_CONTACT, touch.contact.time, touch.contact.a, touch.contact.b, NULL);
     return error;
 }

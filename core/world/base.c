@@ -17,8 +17,30 @@ void *bmr_world_take(void *world, size_t bytes) {
 
 void bmr_world_give(void *world, void *block, size_t bytes) {
     bmr_world *const w = world;
+    if (!block)
+        return;
     w->counts.bytes -= bytes;
     bmr_release(w->allocator, block, bytes);
+}
+
+bmr_error bmr_scheduled_make(bmr_world *w, size_t bytes, bool is_pair, bmr_scheduled **made) {
+    bmr_scheduled *const head = bmr_world_take(w, bytes);
+    const bmr_error error = head ? bmr_event_queue_promise(&w->queue, &w->counted) : BMR_ERROR_NO_MEMORY;
+    if (error != BMR_OK) {
+        bmr_world_give(w, head, bytes);
+        return error;
+    }
+    memset(head, 0, bytes);
+    head->item.place = BMR_NOT_QUEUED;
+    head->is_pair = is_pair;
+    *made = head;
+    return BMR_OK;
+}
+
+void bmr_scheduled_destroy(bmr_world *w, bmr_scheduled *head, size_t bytes) {
+    bmr_event_queue_set(&w->queue, &head->item, INFINITY);
+    bmr_event_queue_release(&w->queue, &w->counted);
+    bmr_world_give(w, head, bytes);
 }
 
 // ---- trouble ----
@@ -53,11 +75,7 @@ const char *bmr_trouble_describe(bmr_trouble trouble) {
 }
 
 bmr_error bmr_world_stop(bmr_world *w, bmr_error error, bmr_trouble kind, bmr_body a, bmr_body b) {
-    w->trouble.error = error;
-    w->trouble.kind = kind;
-    w->trouble.a = a;
-    w->trouble.b = b;
-    w->trouble.time = w->time;
+    w->trouble = (bmr_world_trouble){error, kind, w->time, a, b};
     return error;
 }
 
@@ -72,12 +90,7 @@ void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr
     w->counts.events[kind]++;
     if (!w->def.observer)
         return;
-    bmr_world_event event;
-    memset(&event, 0, sizeof event);
-    event.kind = kind;
-    event.time = time;
-    event.a = a;
-    event.b = b;
+    bmr_world_event event = {.kind = kind, .time = time, .a = a, .b = b};
     if (report)
         event.report = *report;
     w->def.observer(w->def.context, w, &event);

@@ -81,10 +81,6 @@ static bool jumps(const bmr_world *w, const bmr_world_body *r, const bmr_motion_
 
 // ---- neighbours ----
 
-static bool has_grid(const bmr_world *w) {
-    return !w->def.all_pairs || w->def.boundary == BMR_PERIODIC;
-}
-
 /// Is a wall within the reach of a body in this cell?
 static bool wall_is_near(const bmr_world *w, int side, int level, int64_t column, int64_t row) {
     if (w->def.all_pairs)
@@ -93,10 +89,8 @@ static bool wall_is_near(const bmr_world *w, int side, int level, int64_t column
     const bool upright = side < 2;
     const double size = upright ? sizes.x : sizes.y;
     const double low = (double)(upright ? column : row) * size, high = low + size;
-    const double line = side == 0   ? w->def.low.x
-                        : side == 1 ? w->def.high.x
-                        : side == 2 ? w->def.low.y
-                                    : w->def.high.y;
+    const bmr_vec2 corner = side % 2 == 0 ? w->def.low : w->def.high;
+    const double line = upright ? corner.x : corner.y;
     // A cell is wider than what a disk reaches, with all that is added to it.
     return side % 2 == 0 ? low - size <= line : high + size >= line;
 }
@@ -183,7 +177,7 @@ static void begin_pairs(bmr_world *w, bmr_body_pair *made) {
 static bmr_error prepare(bmr_world *w, bmr_world_body *r, int level, int64_t column, int64_t row, bool jumps,
                          bmr_cell **cell, bmr_body_pair **made) {
     *cell = NULL;
-    bmr_error error = has_grid(w) ? bmr_grid_cell(w, level, column, row, cell) : BMR_OK;
+    bmr_error error = bmr_world_has_grid(w) ? bmr_grid_cell(w, level, column, row, cell) : BMR_OK;
     if (error != BMR_OK)
         return error;
     bmr_body_pair *const first = r->first;
@@ -217,7 +211,7 @@ static bmr_error settle(bmr_world *w, bmr_world_body *r, int level, int64_t colu
     change_cell(w, r, cell != r->cell ? cell : NULL, column, row);
     let_go(w, r);
     begin_pairs(w, made);
-    if (has_grid(w))
+    if (bmr_world_has_grid(w))
         bmr_grid_lower(w);
     return BMR_OK;
 }
@@ -408,11 +402,9 @@ bmr_error bmr_body_event(bmr_world *w, bmr_world_body *r) {
 
 void bmr_body_destroy(bmr_world *w, bmr_world_body *r) {
     forget_pairs(w, r);
-    bmr_event_queue_set(&w->queue, &r->head.item, INFINITY);
-    bmr_event_queue_release(&w->queue, &w->counted);
     bmr_cell_leave(w, r);
     drop_plan(r);
-    bmr_world_give(w, r, sizeof *r);
+    bmr_scheduled_destroy(w, &r->head, sizeof *r);
 }
 
 // ---- by their ids ----
@@ -497,16 +489,13 @@ static bmr_error make_body(bmr_world *w, const bmr_body_def *def, bmr_world_body
     bmr_error error = plan_of(w, def->motion, &piece, &until, &plan);
     if (error != BMR_OK)
         return error;
-    bmr_world_body *r = bmr_world_take(w, sizeof *r);
-    error = r ? bmr_event_queue_promise(&w->queue, &w->counted) : BMR_ERROR_NO_MEMORY;
+    bmr_scheduled *head;
+    error = bmr_scheduled_make(w, sizeof(bmr_world_body), false, &head);
     if (error != BMR_OK) {
-        if (r)
-            bmr_world_give(w, r, sizeof *r);
         bmr_motion_destroy(plan);
         return error;
     }
-    memset(r, 0, sizeof *r);
-    r->head.item.place = BMR_NOT_QUEUED;
+    bmr_world_body *const r = (void *)head;
     r->shape = *def->shape;
     r->radius = radius_of(def->shape->polygon);
     r->mass = def->mass;

@@ -128,8 +128,7 @@ static bmr_error resize(bmr_world *w, size_t size) {
             cell->next = *at;
             *at = cell;
         }
-    if (old)
-        bmr_world_give(w, old, old_size * sizeof(bmr_cell *));
+    bmr_world_give(w, old, old_size * sizeof(bmr_cell *));
     return BMR_OK;
 }
 
@@ -383,7 +382,7 @@ static bmr_error add_all(bmr_world *w, const bmr_world_body *asks) {
 
 bmr_error bmr_grid_candidates(bmr_world *w, const bmr_world_body *r, int level, int64_t column, int64_t row) {
     w->candidate_count = 0;
-    if (w->def.all_pairs && w->def.boundary != BMR_PERIODIC)
+    if (!bmr_world_has_grid(w))
         return add_all(w, r);
     bmr_error error = add_around(w, r, level, column, row, true);
     for (int l = level + 1; l <= w->top && error == BMR_OK; l++)

@@ -33,18 +33,19 @@ static bool is_straight(const bmr_motion_piece *piece) {
     return piece->kind == BMR_PIECE_SCREW || piece->as.algebraic.degree <= 1;
 }
 
+bmr_vec2 bmr_path_begins(const bmr_motion_piece *piece) {
+    return piece->kind == BMR_PIECE_SCREW ? piece->as.screw.start.position
+                                          : bmr_vec2_make(piece->as.algebraic.x[0], piece->as.algebraic.y[0]);
+}
+
 /// Of the frame's origin, whatever the body's rotation does: for a straight path its velocity too.
 static bmr_vec2 straight(const bmr_motion_piece *piece, double time, bmr_vec2 *velocity) {
-    bmr_vec2 start;
-    if (piece->kind == BMR_PIECE_SCREW) {
-        start = piece->as.screw.start.position;
+    const bmr_algebraic_piece *p = &piece->as.algebraic;
+    if (piece->kind == BMR_PIECE_SCREW)
         *velocity = piece->as.screw.velocity;
-    } else {
-        const bmr_algebraic_piece *p = &piece->as.algebraic;
-        start = bmr_vec2_make(p->x[0], p->y[0]);
+    else
         *velocity = p->degree > 0 ? bmr_vec2_make(p->x[1], p->y[1]) : bmr_vec2_make(0.0, 0.0);
-    }
-    return bmr_add(start, bmr_scale(time - piece->origin, *velocity));
+    return bmr_add(bmr_path_begins(piece), bmr_scale(time - piece->origin, *velocity));
 }
 
 bmr_vec2 bmr_path_position(const bmr_motion_piece *piece, double time) {
@@ -138,8 +139,8 @@ static double time_for(const bmr_algebraic_piece *path, double length) {
     return least;
 }
 
-/// The way from one disk's centre to the other's (or from a wall's line to the centre), in powers of the time
-/// from the epoch: far from the world's origin its digits are those of the way, not of the places.
+/// The way from the second disk's centre (or a wall's line) to the first's, in powers of the time from the
+/// epoch: far from the world's origin its digits are those of the way, not of the places.
 typedef struct curve {
     bmr_motion_piece rest, way; ///< the latter's time is 0 at the epoch
     double epoch, window, tolerance;
@@ -177,27 +178,19 @@ static curve make_curve(const bmr_world *w, const bmr_body_pair *c, double reach
     curve k = {.epoch = epoch_of(c), .parted = parted(w, reach)};
     k.rest = bmr_piece_rest(bmr_pose_identity());
     k.way.kind = BMR_PIECE_ALGEBRAIC;
-    const bmr_motion_piece own_path = path_of(&c->side[0]->now.piece, bmr_vec2_make(0.0, 0.0));
-    const bmr_algebraic_piece own = bmr_piece_expand(&own_path, k.epoch);
+    const bmr_motion_piece paths[2] = {path_of(&c->side[0]->now.piece, bmr_vec2_make(0.0, 0.0)),
+                                       path_of(&c->side[1]->now.piece, bmr_body_pair_shift(w, c))};
+    const bmr_algebraic_piece a = bmr_piece_expand(&paths[0], k.epoch);
+    const bmr_algebraic_piece b = bmr_piece_expand(&paths[1], k.epoch);
     bmr_algebraic_piece *const way = &k.way.as.algebraic;
-    if (bmr_body_is_wall(c->side[1])) {
-        const bmr_line line = bmr_wall_line(w, c->side[1]);
-        *way = own;
-        way->x[0] -= line.offset * line.normal.x;
-        way->y[0] -= line.offset * line.normal.y;
-        add_sizes(&own, k.size);
-    } else {
-        const bmr_motion_piece path = path_of(&c->side[1]->now.piece, bmr_body_pair_shift(w, c));
-        const bmr_algebraic_piece other = bmr_piece_expand(&path, k.epoch);
-        way->degree = own.degree > other.degree ? own.degree : other.degree;
-        way->a[0] = way->start_c = 1.0;
-        for (size_t i = 0; i <= way->degree; i++) {
-            way->x[i] = (i <= other.degree ? other.x[i] : 0.0) - (i <= own.degree ? own.x[i] : 0.0);
-            way->y[i] = (i <= other.degree ? other.y[i] : 0.0) - (i <= own.degree ? own.y[i] : 0.0);
-        }
-        add_sizes(&own, k.size);
-        add_sizes(&other, k.size);
+    way->degree = a.degree > b.degree ? a.degree : b.degree;
+    way->a[0] = way->start_c = 1.0;
+    for (size_t i = 0; i <= way->degree; i++) {
+        way->x[i] = (i <= a.degree ? a.x[i] : 0.0) - (i <= b.degree ? b.x[i] : 0.0);
+        way->y[i] = (i <= a.degree ? a.y[i] : 0.0) - (i <= b.degree ? b.y[i] : 0.0);
     }
+    add_sizes(&a, k.size);
+    add_sizes(&b, k.size);
     const double least = LEAST_WINDOW * fmax(1.0, fabs(k.epoch));
     k.window = fmax(WINDOW * time_for(way, reach), least);
     // Two that go nearly the same way have long windows: not so long that their places drown in rounding.

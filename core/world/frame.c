@@ -27,12 +27,13 @@ bmr_line bmr_wall_line(const bmr_world *w, const bmr_world_body *wall) {
 void bmr_walls_make(bmr_world *w) {
     for (int side = 0; side < BMR_WALLS; side++) {
         bmr_world_body *const wall = &w->walls[side];
-        bmr_pose pose = bmr_pose_identity();
-        pose.position = side % 2 == 0 ? w->def.low : w->def.high;
-        const bmr_motion_piece rest = bmr_piece_rest(pose);
-        bmr_timed_piece_set(&wall->now, -INFINITY, &rest);
         wall->head.item.place = BMR_NOT_QUEUED;
         wall->id = BMR_WALL(side);
+        const bmr_line line = bmr_wall_line(w, wall);
+        bmr_pose pose = bmr_pose_identity();
+        pose.position = bmr_scale(line.offset, line.normal);
+        const bmr_motion_piece rest = bmr_piece_rest(pose);
+        bmr_timed_piece_set(&wall->now, -INFINITY, &rest);
         wall->birth = UINT64_MAX - BMR_WALLS + (uint64_t)side;
         wall->mass = wall->inertia = INFINITY;
         wall->since = -INFINITY;
@@ -113,11 +114,6 @@ bmr_vec2 bmr_body_pair_shift(const bmr_world *w, const bmr_body_pair *c) {
                          c->image[1] ? c->image[1] * (w->def.high.y - w->def.low.y) : 0.0);
 }
 
-static bmr_vec2 beginning(const bmr_motion_piece *piece) {
-    return piece->kind == BMR_PIECE_SCREW ? piece->as.screw.start.position
-                                          : bmr_vec2_make(piece->as.algebraic.x[0], piece->as.algebraic.y[0]);
-}
-
 /// The same motion from another beginning. (Copies no more than what the piece's kind has.)
 static void begin_at(bmr_timed_piece *seen, const bmr_timed_piece *timed, bmr_vec2 position) {
     seen->from = timed->from;
@@ -154,7 +150,7 @@ const bmr_shape *bmr_body_pair_shape(const bmr_body_pair *c, int side) {
 
 bmr_pair_motion bmr_body_pair_motion(const bmr_world *w, const bmr_body_pair *c, bmr_pair_view *view) {
     const bmr_timed_piece *first = &c->side[0]->now, *second = &c->side[1]->now;
-    const bmr_vec2 begins = beginning(&first->piece), other = beginning(&second->piece);
+    const bmr_vec2 begins = bmr_path_begins(&first->piece), other = bmr_path_begins(&second->piece);
     const bmr_vec2 way = bmr_add(bmr_sub(other, begins), bmr_body_pair_shift(w, c));
     const bmr_vec2 origin = bmr_vec2_make(0.0, 0.0);
     if (bmr_body_is_wall(c->side[1])) {
@@ -229,14 +225,19 @@ void bmr_touch_move(bmr_touch *touch, const bmr_instant now[2]) {
     }
 }
 
-void bmr_touch_describe(const bmr_world *w, const bmr_body_pair *c, bool placed, bmr_touch *touch) {
+void bmr_body_pair_now(const bmr_world *w, const bmr_body_pair *c, bmr_instant now[2]) {
+    for (int i = 0; i < 2; i++)
+        now[i] = bmr_piece_instant(&c->side[i]->now.piece, w->time);
+}
+
+void bmr_touch_describe(const bmr_world *w, const bmr_body_pair *c, bmr_touch *touch) {
     memset(touch, 0, sizeof *touch);
     bmr_contact *const contact = &touch->contact;
     contact->time = w->time;
     contact->a = c->side[0]->id;
     contact->b = c->side[1]->id;
     contact->image = bmr_body_pair_shift(w, c);
-    contact->placed = placed;
+    contact->placed = c->event == BMR_DUE_MEET;
     contact->again = c->near->again;
     contact->count = 1;
     bmr_pair_view view;
@@ -244,8 +245,8 @@ void bmr_touch_describe(const bmr_world *w, const bmr_body_pair *c, bool placed,
     const bmr_pose seen_a = bmr_motion_pose(motion.a, w->time, NULL, NULL),
                    seen_b = bmr_motion_pose(motion.b, w->time, NULL, NULL);
     const bmr_pose b_in_a = bmr_pose_relative(&seen_a, &seen_b);
-    const bmr_instant now[2] = {bmr_piece_instant(&c->side[0]->now.piece, w->time),
-                                bmr_piece_instant(&c->side[1]->now.piece, w->time)};
+    bmr_instant now[2];
+    bmr_body_pair_now(w, c, now);
 
     bmr_closest_points closest;
     bmr_overlap overlap;

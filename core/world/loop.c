@@ -121,14 +121,10 @@ void bmr_world_destroy(bmr_world *w) {
         if (w->bodies[i])
             bmr_body_destroy(w, w->bodies[i]);
     bmr_walls_destroy(w);
-    if (w->bodies)
-        bmr_world_give(w, w->bodies, w->capacity * BMR_PLACE_BYTES);
-    if (w->candidates)
-        bmr_world_give(w, w->candidates, w->candidate_capacity * sizeof *w->candidates);
-    if (w->table)
-        bmr_world_give(w, w->table, w->table_size * sizeof(bmr_cell *));
-    if (w->queue.heap)
-        bmr_world_give(w, w->queue.heap, w->queue.capacity * sizeof *w->queue.heap);
+    bmr_world_give(w, w->bodies, w->capacity * BMR_PLACE_BYTES);
+    bmr_world_give(w, w->candidates, w->candidate_capacity * sizeof *w->candidates);
+    bmr_world_give(w, w->table, w->table_size * sizeof(bmr_cell *));
+    bmr_world_give(w, w->queue.heap, w->queue.capacity * sizeof *w->queue.heap);
     bmr_release(w->allocator, w, sizeof *w);
 }
 
@@ -141,11 +137,11 @@ static bmr_error take_event(bmr_world *w) {
     const bmr_body_pair *const pair = item->is_pair ? (void *)item : NULL;
     const bmr_body a = pair ? pair->side[0]->id : ((bmr_world_body *)(void *)item)->id;
     const bmr_body b = pair ? pair->side[1]->id : BMR_NO_BODY;
-    bmr_pair_touches touches = BMR_TOUCHES_NOT;
+    bool touches = false;
     bmr_error error =
         item->is_pair ? bmr_body_pair_event(w, (void *)item, &touches) : bmr_body_event(w, (void *)item);
-    if (touches != BMR_TOUCHES_NOT)
-        error = bmr_contact_report(w, (void *)item, touches == BMR_TOUCHES_PLACED);
+    if (touches)
+        error = bmr_contact_report(w, (void *)item);
     return error != BMR_OK && w->trouble.kind == BMR_TROUBLE_NONE
                ? bmr_world_stop(w, error, BMR_TROUBLE_OTHER, a, b)
                : error;

@@ -51,9 +51,10 @@
 #define SHORTER 0x1p-4
 
 /// The time in which the two can move by their reach, at the speeds they have.
-static double natural_time(const bmr_world *w, const bmr_body_pair *c, const bmr_pair_motion *motion,
-                           double time) {
-    const bmr_instant now = bmr_pair_instant(motion, time);
+static double natural_time(const bmr_world *w, const bmr_body_pair *c, double time) {
+    bmr_pair_view view;
+    const bmr_pair_motion motion = bmr_body_pair_motion(w, c, &view);
+    const bmr_instant now = bmr_pair_instant(&motion, time);
     const double radii = c->side[0]->radius + c->side[1]->radius; // a wall's is 0
     const double speed = bmr_length(now.velocity) + fabs(now.spin) * radii;
     const double scale = bmr_disks_reach(w, c) / speed;
@@ -164,7 +165,7 @@ static bmr_error search_near(bmr_world *w, bmr_body_pair *c) {
     bmr_pair_view view;
     const bmr_pair_motion motion = bmr_body_pair_motion(w, c, &view);
     if (!(n->window > 0.0))
-        n->window = FIRST_PART * natural_time(w, c, &motion, n->from);
+        n->window = FIRST_PART * natural_time(w, c, n->from);
     const double pieces = fmin(c->side[0]->until, c->side[1]->until);
     const double horizon = fmin(n->part, fmin(n->growth, pieces));
     const bool passing = c->watch == BMR_WATCH_PASSING;
@@ -211,7 +212,7 @@ static bool is_driven_together(const bmr_world *w, const bmr_body_pair *c) {
         (n->touch == w->time && n->touches >= MOST_TOUCHES))
         return false;
     bmr_touch touch;
-    bmr_touch_describe(w, c, false, &touch);
+    bmr_touch_describe(w, c, &touch);
     const bmr_contact *const contact = &touch.contact;
     const double approach =
         contact->count == 2 ? fmin(contact->approach[0], contact->approach[1]) : contact->approach[0];
@@ -237,23 +238,16 @@ void bmr_body_pair_search_later(bmr_world *w, bmr_body_pair *c, bool replan) {
 
 bmr_error bmr_body_pair_make(bmr_world *w, bmr_world_body *a, bmr_world_body *b, const int32_t image_of_b[2],
                              bmr_body_pair **pair) {
-    bmr_body_pair *c = bmr_world_take(w, sizeof *c);
-    if (!c)
-        return BMR_ERROR_NO_MEMORY;
-    const bmr_error error = bmr_event_queue_promise(&w->queue, &w->counted);
-    if (error != BMR_OK) {
-        bmr_world_give(w, c, sizeof *c);
+    bmr_scheduled *head;
+    const bmr_error error = bmr_scheduled_make(w, sizeof(bmr_body_pair), true, &head);
+    if (error != BMR_OK)
         return error;
-    }
-    memset(c, 0, sizeof *c);
+    bmr_body_pair *const c = (void *)head;
     const int sign = a->birth < b->birth ? 1 : -1; // walls were born last
-    c->head.item.place = BMR_NOT_QUEUED;
-    c->head.is_pair = true;
     c->side[0] = sign > 0 ? a : b;
     c->side[1] = sign > 0 ? b : a;
     c->image[0] = sign * image_of_b[0];
     c->image[1] = sign * image_of_b[1];
-    c->watch = BMR_WATCH_DISKS;
     c->neighbours = true;
     *pair = c;
     return BMR_OK;
@@ -299,6 +293,7 @@ static void end_structure(bmr_world *w, bmr_body_pair *c) {
     bmr_kds_destroy(c->near->kds, &w->counted);
     bmr_world_give(w, c->near, sizeof *c->near);
     c->near = NULL;
+    set_watch(w, c, BMR_WATCH_DISKS);
 }
 
 void bmr_body_pair_destroy(bmr_world *w, bmr_body_pair *c) {
@@ -306,11 +301,8 @@ void bmr_body_pair_destroy(bmr_world *w, bmr_body_pair *c) {
         w->busy = NULL;
     if (c->linked)
         unlink_pair(w, c);
-    set_watch(w, c, BMR_WATCH_DISKS);
     end_structure(w, c);
-    bmr_event_queue_set(&w->queue, &c->head.item, INFINITY);
-    bmr_event_queue_release(&w->queue, &w->counted);
-    bmr_world_give(w, c, sizeof *c);
+    bmr_scheduled_destroy(w, &c->head, sizeof *c);
 }
 
 bool bmr_item_before(const bmr_event_item *a, const bmr_event_item *b) {
@@ -365,8 +357,15 @@ static double separation(const bmr_world *w, const bmr_body_pair *c, double time
     return bmr_pair_separation(&motion, time);
 }
 
+static bmr_error touch(bmr_world *w, bmr_body_pair *c, bool *touches) {
+    set_watch(w, c, BMR_WATCH_PASSING);
+    bmr_event_queue_set(&w->queue, &c->head.item, INFINITY);
+    *touches = true;
+    return BMR_OK;
+}
+
 /// The disks have met: a structure begins.
-static bmr_error meet(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches) {
+static bmr_error meet(bmr_world *w, bmr_body_pair *c, bool *touches) {
     bmr_pair_view view;
     const bmr_pair_motion motion = bmr_body_pair_motion(w, c, &view);
     // Is the clock too coarse, at the present time, for the speeds of the two?
@@ -388,11 +387,8 @@ static bmr_error meet(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches)
     c->near = n;
     set_watch(w, c, BMR_WATCH_STRUCTURE);
     bmr_kds_report report;
-    const bool apart = start(w, c, w->time, &report);
-    if (!apart) {
-        *touches = BMR_TOUCHES_PLACED;
-        return BMR_OK;
-    }
+    if (!start(w, c, w->time, &report)) // no motion brought them here
+        return touch(w, c, touches);
     bmr_body_pair_search_later(w, c, false);
     observe(w, c, BMR_WORLD_NEAR, &report);
     return BMR_OK;
@@ -400,7 +396,6 @@ static bmr_error meet(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches)
 
 static void part(bmr_world *w, bmr_body_pair *c) {
     end_structure(w, c);
-    set_watch(w, c, BMR_WATCH_DISKS);
     const bmr_body a = c->side[0]->id, b = c->side[1]->id;
     if (c->neighbours)
         bmr_body_pair_search_later(w, c, false);
@@ -421,7 +416,7 @@ static double failure_between(const bmr_world *w, const bmr_near *n, const bmr_p
     return later;
 }
 
-static bmr_error fail(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches) {
+static bmr_error fail(bmr_world *w, bmr_body_pair *c, bool *touches) {
     bmr_near *const n = c->near;
     bmr_pair_view view;
     const bmr_pair_motion motion = bmr_body_pair_motion(w, c, &view);
@@ -443,10 +438,8 @@ static bmr_error fail(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches)
     n->period = fmax(later - n->repaired, 0.5 * n->period);
     n->from = n->repaired = later;
     n->window = AHEAD * n->period;
-    if (report.kind == BMR_KDS_CONTACT) {
-        *touches = BMR_TOUCHES;
-        return BMR_OK;
-    }
+    if (report.kind == BMR_KDS_CONTACT)
+        return touch(w, c, touches);
     bmr_body_pair_search_later(w, c, false);
     observe(w, c, BMR_WORLD_REPAIR, &report);
     return BMR_OK;
@@ -497,8 +490,7 @@ static bmr_error leave(bmr_world *w, bmr_body_pair *c) {
     n->level = 0;
     const double target = w->def.kds.margin + w->def.kds.hysteresis;
     if (separation(w, c, w->time) > target && start(w, c, w->time, &report)) {
-        n->again = n->retries = 0;
-        n->growth = INFINITY;
+        n->again = 0;
         set_watch(w, c, BMR_WATCH_STRUCTURE);
         bmr_body_pair_search_later(w, c, false);
         observe(w, c, BMR_WORLD_LEAVE, &report);
@@ -513,7 +505,7 @@ static bmr_error leave(bmr_world *w, bmr_body_pair *c) {
     return search(w, c);
 }
 
-bmr_error bmr_body_pair_event(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches) {
+bmr_error bmr_body_pair_event(bmr_world *w, bmr_body_pair *c, bool *touches) {
     switch ((bmr_pair_due)c->event) {
     case BMR_DUE_MEET:
         return meet(w, c, touches);
@@ -525,8 +517,7 @@ bmr_error bmr_body_pair_event(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *
     case BMR_DUE_TOUCH:
         c->near->touches = c->near->touch == w->time ? c->near->touches + 1 : 1;
         c->near->touch = w->time;
-        *touches = BMR_TOUCHES;
-        return BMR_OK;
+        return touch(w, c, touches);
     case BMR_DUE_GROWTH:
         return grow(w, c);
     case BMR_DUE_LEAVE:
@@ -540,11 +531,6 @@ bmr_error bmr_body_pair_event(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *
 
 // ---- after a contact ----
 
-void bmr_body_pair_hold(bmr_world *w, bmr_body_pair *c) {
-    set_watch(w, c, BMR_WATCH_PASSING);
-    bmr_event_queue_set(&w->queue, &c->head.item, INFINITY);
-}
-
 void bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c) {
     bmr_near *const n = c->near;
     set_watch(w, c, BMR_WATCH_PASSING);
@@ -555,20 +541,17 @@ void bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c) {
     bmr_body_pair_search_later(w, c, false);
 }
 
-bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, bool placed, double receding) {
+bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, double receding) {
     bmr_near *const n = c->near;
     bmr_kds_report report;
     n->again++;
     // At a TOUCH they are where they were: the margin that they have will do.
     for (n->level += c->event != BMR_DUE_TOUCH; n->level <= MOST_HALVINGS * bmr_levels_a_halving(w);
          n->level++) {
-        const bool apart = start(w, c, w->time, &report);
-        if (!apart)
+        if (!start(w, c, w->time, &report))
             continue;
         const double wanted = 2.0 * margin_of(w, n->level - 1);
-        bmr_pair_view view;
-        const bmr_pair_motion motion = bmr_body_pair_motion(w, c, &view);
-        const double most = natural_time(w, c, &motion, w->time);
+        const double most = natural_time(w, c, w->time);
         n->part = NAN;
         n->window = 0.0;
         n->period = 0.0;
@@ -579,6 +562,7 @@ bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, bool placed, doub
         return BMR_OK;
     }
     // Overlapping bodies were put there: they pass, until they are apart.
+    const bool placed = c->event == BMR_DUE_MEET;
     bmr_body_pair_pass(w, c);
     return placed ? BMR_OK : bmr_body_pair_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_CONTACTS);
 }

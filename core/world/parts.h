@@ -161,6 +161,10 @@ typedef struct bmr_body_image {
     int32_t image[2]; ///< of the body as seen from the place
 } bmr_body_image;
 
+/// False: every two bodies are a pair.
+static inline bool bmr_world_has_grid(const bmr_world *w) {
+    return !w->def.all_pairs || w->def.boundary == BMR_PERIODIC;
+}
 static inline bool bmr_body_is_wall(const bmr_world_body *r) {
     return bmr_is_wall(r->id);
 }
@@ -176,6 +180,9 @@ static inline double bmr_world_tolerance(const bmr_world *w, double time) {
 /// The functions of world.counted, whose context is the world.
 void *bmr_world_take(void *world, size_t bytes);
 void bmr_world_give(void *world, void *block, size_t bytes);
+/// A body or a pair, zero but for its head, and its place in the queue. NO_MEMORY, TOO_LARGE.
+bmr_error bmr_scheduled_make(bmr_world *w, size_t bytes, bool is_pair, bmr_scheduled **made);
+void bmr_scheduled_destroy(bmr_world *w, bmr_scheduled *head, size_t bytes);
 /// Notes what is wrong, and returns the error. `b`: BMR_NO_BODY.
 bmr_error bmr_world_stop(bmr_world *w, bmr_error error, bmr_trouble kind, bmr_body a, bmr_body b);
 static inline bmr_error bmr_body_pair_stop(bmr_world *w, const bmr_body_pair *c, bmr_error error,
@@ -241,13 +248,15 @@ bmr_pair_motion bmr_body_pair_motion(const bmr_world *w, const bmr_body_pair *c,
 const bmr_shape *bmr_body_pair_shape(const bmr_body_pair *c, int side);
 /// What is added to the second's position in the world.
 bmr_vec2 bmr_body_pair_shift(const bmr_world *w, const bmr_body_pair *c);
+/// The two as the world has them, at the present time.
+void bmr_body_pair_now(const bmr_world *w, const bmr_body_pair *c, bmr_instant now[2]);
 
 /// A contact with the arms from both centres to its points.
 typedef struct bmr_touch {
     bmr_contact contact;
     bmr_vec2 arm[2][2]; ///< of the point [1] from the origin of body [0]
 } bmr_touch;
-void bmr_touch_describe(const bmr_world *w, const bmr_body_pair *c, bool placed, bmr_touch *touch);
+void bmr_touch_describe(const bmr_world *w, const bmr_body_pair *c, bmr_touch *touch);
 /// Fills in velocities and approaches: from those of A and B.
 void bmr_touch_move(bmr_touch *touch, const bmr_instant now[2]);
 
@@ -269,17 +278,14 @@ bmr_error bmr_disks_next(const bmr_world *w, const bmr_body_pair *c, bool meets,
 bmr_error bmr_body_leaves_cell(const bmr_world *w, const bmr_world_body *r, double after, double *time,
                                bool *unfinished);
 bmr_vec2 bmr_path_position(const bmr_motion_piece *piece, double time);
+/// At the piece's own origin of time.
+bmr_vec2 bmr_path_begins(const bmr_motion_piece *piece);
 
 // pair.c: the life of a pair.
 
-/// Does a pair's event end in a contact, which bmr_contact_report is to report?
-typedef enum bmr_pair_touches {
-    BMR_TOUCHES_NOT,
-    BMR_TOUCHES,
-    BMR_TOUCHES_PLACED ///< where it was put
-} bmr_pair_touches;
-/// Takes the pair's next event.
-bmr_error bmr_body_pair_event(bmr_world *w, bmr_body_pair *c, bmr_pair_touches *touches);
+/// Takes the pair's next event. *touches: it ended in a contact, which bmr_contact_report is to report;
+/// until then nothing is due, and the pair is as one that passes.
+bmr_error bmr_body_pair_event(bmr_world *w, bmr_body_pair *c, bool *touches);
 bmr_error bmr_body_pair_make(bmr_world *w, bmr_world_body *a, bmr_world_body *b, const int32_t image_of_b[2],
                              bmr_body_pair **pair);
 void bmr_body_pair_link(bmr_world *w, bmr_body_pair *c);
@@ -291,9 +297,7 @@ static inline int bmr_body_pair_side(const bmr_body_pair *c, const bmr_world_bod
 /// done, the pair has an event now, at which it is tried again.
 void bmr_body_pair_search_later(bmr_world *w, bmr_body_pair *c, bool replan);
 /// After an answer: a structure with half the margin, or a quarter, and so on. STALLED.
-bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, bool placed, double receding);
-/// While its contact is reported: nothing is due.
-void bmr_body_pair_hold(bmr_world *w, bmr_body_pair *c);
+bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, double receding);
 /// After PASS.
 void bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c);
 bool bmr_item_before(const bmr_event_item *a, const bmr_event_item *b);
@@ -319,6 +323,6 @@ void bmr_body_destroy(bmr_world *w, bmr_world_body *r);
 // answer.c: what becomes of a contact.
 
 /// Tells the contact, and does what is answered. After an error other than NO_MEMORY the pair passes.
-bmr_error bmr_contact_report(bmr_world *w, bmr_body_pair *c, bool placed);
+bmr_error bmr_contact_report(bmr_world *w, bmr_body_pair *c);
 
 #endif

@@ -121,7 +121,7 @@ bmr_world_totals bmr_world_get_totals(const bmr_world *w) {
 
 static bool in_cell(const bmr_world *w, const bmr_world_body *r) {
     if (!r->cell)
-        return w->def.all_pairs && w->def.boundary != BMR_PERIODIC;
+        return !bmr_world_has_grid(w);
     const bmr_vec2 position = bmr_path_position(&r->now.piece, w->time);
     return bmr_body_in_cell(w, r, position, BMR_CELL_HYSTERESIS + ROUNDING);
 }
