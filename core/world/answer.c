@@ -132,8 +132,9 @@ static bmr_error go_on(bmr_world *w, bmr_body_pair *c, const bmr_instant now[2])
         bmr_world_body *const r = c->side[i];
         if (isinf(r->mass) && isinf(r->inertia))
             continue;
-        const bmr_motion_piece piece = bmr_piece_screw(w->time, now[i].pose, now[i].velocity, now[i].spin);
-        const bmr_error error = bmr_body_move(w, r, &piece, INFINITY, NULL);
+        const bmr_course course = {bmr_piece_screw(w->time, now[i].pose, now[i].velocity, now[i].spin),
+                                   INFINITY, NULL};
+        const bmr_error error = bmr_body_move(w, r, &course);
         if (error != BMR_OK || !w->busy) // the latter: its pose jumped, and the pair is gone
             return error;
     }

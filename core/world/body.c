@@ -172,46 +172,51 @@ static void begin_pairs(bmr_world *w, bmr_body_pair *made) {
     }
 }
 
-/// All of a change of cell that may want memory: the cell, and the pairs that are missing there. `jumps`:
-/// none of the old pairs is kept. NO_MEMORY: as it was.
-static bmr_error prepare(bmr_world *w, bmr_world_body *r, int level, int64_t column, int64_t row, bool jumps,
-                         bmr_cell **cell, bmr_body_pair **made) {
-    *cell = NULL;
-    bmr_error error = bmr_world_has_grid(w) ? bmr_grid_cell(w, level, column, row, cell) : BMR_OK;
-    if (error != BMR_OK)
-        return error;
-    bmr_body_pair *const first = r->first;
-    if (jumps)
-        r->first = NULL;
-    error = want_all(w, r, level, column, row, made);
-    r->first = first;
-    if (error != BMR_OK)
-        bmr_grid_prune(w, *cell);
-    return error;
+/// Gives up all pairs: after a jump nothing that was known is true. The one whose contact is being reported
+/// goes with them.
+static void forget_pairs(bmr_world *w, bmr_world_body *r) {
+    while (r->first)
+        bmr_body_pair_destroy(w, r->first);
 }
 
-static void change_cell(bmr_world *w, bmr_world_body *r, bmr_cell *cell, int64_t column, int64_t row) {
-    if (cell) {
-        cell->bodies++; // so that it is not given back with the old one
-        bmr_cell_leave(w, r);
-        cell->bodies--;
-        bmr_cell_enter(w, cell, r);
+/// From the present time on it moves so; its certificates are as they were.
+static void take(bmr_world *w, bmr_world_body *r, const bmr_course *course) {
+    if (course->plan != r->plan)
+        bmr_motion_destroy(r->plan);
+    r->plan = course->plan;
+    bmr_timed_piece_set(&r->now, -INFINITY, &course->piece);
+    r->since = w->time;
+    r->until = course->until;
+}
+
+/// Takes the body to a cell, with all that follows from that. `jump`: it jumped there, to a course of which
+/// no pair knows; else NULL. NO_MEMORY: it stays.
+static bmr_error settle(bmr_world *w, bmr_world_body *r, int level, int64_t column, int64_t row,
+                        const bmr_course *jump) {
+    bmr_cell *cell = NULL;
+    bmr_error error = bmr_world_has_grid(w) ? bmr_grid_cell(w, level, column, row, &cell) : BMR_OK;
+    if (error != BMR_OK)
+        return error;
+    bmr_body_pair *made, *const first = r->first;
+    if (jump)
+        r->first = NULL;
+    error = want_all(w, r, level, column, row, &made);
+    r->first = first;
+    if (error != BMR_OK) {
+        bmr_grid_prune(w, cell);
+        return error;
     }
+    if (jump)
+        forget_pairs(w, r);
+    bmr_cell_change(w, r, cell);
     r->column = column;
     r->row = row;
-}
-
-/// Takes the body to a cell, with all that follows from that. NO_MEMORY: it stays.
-static bmr_error settle(bmr_world *w, bmr_world_body *r, int level, int64_t column, int64_t row) {
-    bmr_cell *cell;
-    bmr_body_pair *made;
-    const bmr_error error = prepare(w, r, level, column, row, false, &cell, &made);
-    if (error != BMR_OK)
-        return error;
-    change_cell(w, r, cell != r->cell ? cell : NULL, column, row);
-    let_go(w, r);
+    if (jump)
+        take(w, r, jump);
+    else
+        let_go(w, r);
     begin_pairs(w, made);
-    if (bmr_world_has_grid(w))
+    if (cell && !jump)
         bmr_grid_lower(w);
     return BMR_OK;
 }
@@ -303,7 +308,7 @@ static bmr_error cross(bmr_world *w, bmr_world_body *r) {
     // So fast that a rounding of the time is a way through the hysteresis: on to the next time that there is.
     const bool stays = level == r->cell->level && column == r->column && row == r->row;
     const bmr_body id = r->id;
-    const bmr_error settled = settle(w, r, level, column, row);
+    const bmr_error settled = settle(w, r, level, column, row, NULL);
     if (settled != BMR_OK)
         return settled;
     search_later(w, r, stays ? nextafter(w->time, INFINITY) : w->time);
@@ -313,33 +318,9 @@ static bmr_error cross(bmr_world *w, bmr_world_body *r) {
 
 // ---- motions ----
 
-/// Gives up all pairs: after a jump nothing that was known is true. The one whose contact is being reported
-/// goes with them.
-static void forget_pairs(bmr_world *w, bmr_world_body *r) {
-    while (r->first)
-        bmr_body_pair_destroy(w, r->first);
-}
-
-static void drop_plan(bmr_world_body *r) {
-    bmr_motion_destroy(r->plan);
-    r->plan = NULL;
-}
-
-/// From the present time on it moves so; its certificates are as they were.
-static void take(bmr_world *w, bmr_world_body *r, const bmr_motion_piece *piece, double until,
-                 bmr_motion *plan) {
-    if (plan != r->plan)
-        drop_plan(r);
-    r->plan = plan;
-    bmr_timed_piece_set(&r->now, -INFINITY, piece);
-    r->since = w->time;
-    r->until = until;
-}
-
 /// To where its pose jumped. NO_MEMORY: as it was.
-static bmr_error jump(bmr_world *w, bmr_world_body *r, const bmr_motion_piece *piece, double until,
-                      bmr_motion *plan) {
-    const bmr_vec2 position = bmr_path_position(piece, w->time);
+static bmr_error jump(bmr_world *w, bmr_world_body *r, const bmr_course *course) {
+    const bmr_vec2 position = bmr_path_position(&course->piece, w->time);
     int level = 0;
     int64_t column = 0, row = 0;
     if (r->cell) {
@@ -348,25 +329,17 @@ static bmr_error jump(bmr_world *w, bmr_world_body *r, const bmr_motion_piece *p
             return error;
         bmr_grid_place(w, level, position, &column, &row);
     }
-    bmr_cell *cell;
-    bmr_body_pair *made;
-    const bmr_error error = prepare(w, r, level, column, row, true, &cell, &made);
-    if (error != BMR_OK)
-        return error;
-    forget_pairs(w, r);
-    change_cell(w, r, cell, column, row);
-    take(w, r, piece, until, plan);
-    begin_pairs(w, made);
-    search_later(w, r, w->time);
-    return BMR_OK;
+    const bmr_error error = settle(w, r, level, column, row, course);
+    if (error == BMR_OK)
+        search_later(w, r, w->time);
+    return error;
 }
 
-bmr_error bmr_body_move(bmr_world *w, bmr_world_body *r, const bmr_motion_piece *piece, double until,
-                        bmr_motion *plan) {
+bmr_error bmr_body_move(bmr_world *w, bmr_world_body *r, const bmr_course *course) {
     w->counts.replans++;
-    if (jumps(w, r, piece))
-        return jump(w, r, piece, until, plan);
-    take(w, r, piece, until, plan);
+    if (jumps(w, r, &course->piece))
+        return jump(w, r, course);
+    take(w, r, course);
     search_later(w, r, w->time);
     w->counts.replanned++;
     for (bmr_body_pair *c = r->first; c; c = c->after[bmr_body_pair_side(c, r)]) {
@@ -379,11 +352,11 @@ bmr_error bmr_body_move(bmr_world *w, bmr_world_body *r, const bmr_motion_piece 
 }
 
 static bmr_error next_piece(bmr_world *w, bmr_world_body *r) {
-    double end;
-    const bmr_motion_piece *piece = bmr_motion_piece_at(r->plan, w->time, &end);
+    bmr_course course; // the last piece outlives its plan
+    course.piece = *bmr_motion_piece_at(r->plan, w->time, &course.until);
+    course.plan = course.until < INFINITY ? r->plan : NULL;
     const bmr_body id = r->id;
-    const bmr_motion_piece copy = *piece; // the last one outlives its plan
-    const bmr_error error = bmr_body_move(w, r, &copy, end, end < INFINITY ? r->plan : NULL);
+    const bmr_error error = bmr_body_move(w, r, &course);
     if (error != BMR_OK)
         return error;
     bmr_world_observe(w, BMR_WORLD_PLAN, w->time, id, BMR_NO_BODY, NULL);
@@ -402,8 +375,8 @@ bmr_error bmr_body_event(bmr_world *w, bmr_world_body *r) {
 
 void bmr_body_destroy(bmr_world *w, bmr_world_body *r) {
     forget_pairs(w, r);
-    bmr_cell_leave(w, r);
-    drop_plan(r);
+    bmr_cell_change(w, r, NULL);
+    bmr_motion_destroy(r->plan);
     bmr_scheduled_destroy(w, &r->head, sizeof *r);
 }
 
@@ -447,11 +420,11 @@ static bmr_error find_place(bmr_world *w, size_t *place) {
     return BMR_OK;
 }
 
-static bmr_error plan_of(bmr_world *w, const bmr_motion *motion, bmr_motion_piece *piece, double *until,
-                         bmr_motion **plan) {
-    *piece = *bmr_motion_piece_at(motion, w->time, until);
-    *plan = NULL;
-    return *until < INFINITY ? bmr_motion_copy_from(motion, w->time, &w->counted, plan) : BMR_OK;
+static bmr_error course_of(bmr_world *w, const bmr_motion *motion, bmr_course *course) {
+    course->piece = *bmr_motion_piece_at(motion, w->time, &course->until);
+    course->plan = NULL;
+    return course->until < INFINITY ? bmr_motion_copy_from(motion, w->time, &w->counted, &course->plan)
+                                    : BMR_OK;
 }
 
 static double radius_of(const bmr_polygon *polygon) {
@@ -483,16 +456,14 @@ static bmr_error check_body(bmr_world *w, const bmr_body_def *def, bmr_world_bod
 }
 
 static bmr_error make_body(bmr_world *w, const bmr_body_def *def, bmr_world_body **body) {
-    bmr_motion_piece piece;
-    bmr_motion *plan;
-    double until;
-    bmr_error error = plan_of(w, def->motion, &piece, &until, &plan);
+    bmr_course course;
+    bmr_error error = course_of(w, def->motion, &course);
     if (error != BMR_OK)
         return error;
     bmr_scheduled *head;
     error = bmr_scheduled_make(w, sizeof(bmr_world_body), false, &head);
     if (error != BMR_OK) {
-        bmr_motion_destroy(plan);
+        bmr_motion_destroy(course.plan);
         return error;
     }
     bmr_world_body *const r = (void *)head;
@@ -500,7 +471,7 @@ static bmr_error make_body(bmr_world *w, const bmr_body_def *def, bmr_world_body
     r->radius = radius_of(def->shape->polygon);
     r->mass = def->mass;
     r->inertia = def->inertia;
-    take(w, r, &piece, until, plan);
+    take(w, r, &course);
     *body = r;
     return BMR_OK;
 }
@@ -522,7 +493,7 @@ bmr_error bmr_world_add(bmr_world *w, const bmr_body_def *def, bmr_body *body) {
     if (error == BMR_OK) {
         int64_t column, row;
         bmr_grid_place(w, level, bmr_path_position(&r->now.piece, w->time), &column, &row);
-        error = settle(w, r, level, column, row);
+        error = settle(w, r, level, column, row, NULL);
     }
     if (error != BMR_OK) {
         bmr_body_destroy(w, r);
@@ -562,15 +533,13 @@ bmr_error bmr_world_set_motion(bmr_world *w, bmr_body body, const bmr_motion *mo
     bmr_world_body *const r = bmr_world_find(w, body);
     if (!r)
         return BMR_ERROR_OUT_OF_RANGE;
-    bmr_motion_piece piece;
-    bmr_motion *plan;
-    double until;
-    bmr_error error = plan_of(w, motion, &piece, &until, &plan);
+    bmr_course course;
+    bmr_error error = course_of(w, motion, &course);
     if (error != BMR_OK)
         return error;
-    error = bmr_body_move(w, r, &piece, until, plan);
+    error = bmr_body_move(w, r, &course);
     if (error != BMR_OK)
-        bmr_motion_destroy(plan);
+        bmr_motion_destroy(course.plan);
     return error;
 }
 
@@ -581,5 +550,6 @@ bmr_error bmr_world_set_piece(bmr_world *w, bmr_body body, const bmr_motion_piec
     if (error != BMR_OK)
         return error;
     bmr_world_body *const r = bmr_world_find(w, body);
-    return r ? bmr_body_move(w, r, piece, INFINITY, NULL) : BMR_ERROR_OUT_OF_RANGE;
+    const bmr_course course = {*piece, INFINITY, NULL};
+    return r ? bmr_body_move(w, r, &course) : BMR_ERROR_OUT_OF_RANGE;
 }

@@ -282,8 +282,7 @@ bool bmr_body_in_cell(const bmr_world *w, const bmr_world_body *r, bmr_vec2 posi
     return fmax(beyond((double)r->column, at.x), beyond((double)r->row, at.y)) <= border;
 }
 
-void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_world_body *r) {
-    r->cell = cell;
+static void enter(bmr_world *w, bmr_cell *cell, bmr_world_body *r) {
     r->before = NULL;
     r->after = cell->first;
     if (cell->first)
@@ -293,20 +292,27 @@ void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_world_body *r) {
     w->level_bodies[cell->level - BMR_LEAST_LEVEL]++;
 }
 
-void bmr_cell_leave(bmr_world *w, bmr_world_body *r) {
-    bmr_cell *const cell = r->cell;
-    if (!cell)
-        return;
+static void leave(bmr_world *w, bmr_cell *cell, bmr_world_body *r) {
     if (r->before)
         r->before->after = r->after;
     else
         cell->first = r->after;
     if (r->after)
         r->after->before = r->before;
-    r->cell = NULL;
     cell->bodies--;
     w->level_bodies[cell->level - BMR_LEAST_LEVEL]--;
-    bmr_grid_prune(w, cell);
+}
+
+void bmr_cell_change(bmr_world *w, bmr_world_body *r, bmr_cell *cell) {
+    bmr_cell *const old = r->cell;
+    if (old == cell)
+        return;
+    if (old)
+        leave(w, old, r);
+    if (cell)
+        enter(w, cell, r);
+    r->cell = cell;
+    bmr_grid_prune(w, old);
 }
 
 // ---- neighbours ----

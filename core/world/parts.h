@@ -206,8 +206,8 @@ bmr_error bmr_grid_cell(bmr_world *w, int level, int64_t column, int64_t row, bm
 void bmr_grid_prune(bmr_world *w, bmr_cell *cell);
 /// Is a place of the body in its cell, or outside of it by no more than this part of the cell?
 bool bmr_body_in_cell(const bmr_world *w, const bmr_world_body *r, bmr_vec2 position, double border);
-void bmr_cell_enter(bmr_world *w, bmr_cell *cell, bmr_world_body *r);
-void bmr_cell_leave(bmr_world *w, bmr_world_body *r);
+/// Takes the body from its cell, if it has one, to another one, or to none.
+void bmr_cell_change(bmr_world *w, bmr_world_body *r, bmr_cell *cell);
 /// Gives the top levels back that no body has needed for long.
 void bmr_grid_lower(bmr_world *w);
 bmr_vec2 bmr_cell_size(const bmr_world *w, int level);
@@ -310,14 +310,20 @@ static inline unsigned bmr_levels_a_halving(const bmr_world *w) {
 
 // body.c: where bodies live, and what they move on.
 
+/// What a body moves on: a piece, until when, and what comes after it (NULL: nothing).
+typedef struct bmr_course {
+    bmr_motion_piece piece;
+    double until;
+    bmr_motion *plan;
+} bmr_course;
+
 /// NULL: there is none.
 bmr_world_body *bmr_world_find(const bmr_world *w, bmr_body id);
 /// Takes the body's next event.
 bmr_error bmr_body_event(bmr_world *w, bmr_world_body *r);
-/// From the present time on it moves so; `plan` NULL or its own from now on. Searches of its certificates
-/// that cannot be done are left to the next advance. Errors: NO_MEMORY: as it was (where the pose jumps).
-bmr_error bmr_body_move(bmr_world *w, bmr_world_body *r, const bmr_motion_piece *piece, double until,
-                        bmr_motion *plan);
+/// From the present time on it moves so, and has the plan. Searches of its certificates that cannot be done
+/// are left to the next advance. Errors: NO_MEMORY: as it was (where the pose jumps).
+bmr_error bmr_body_move(bmr_world *w, bmr_world_body *r, const bmr_course *course);
 void bmr_body_destroy(bmr_world *w, bmr_world_body *r);
 
 // answer.c: what becomes of a contact.
