@@ -132,11 +132,14 @@ static bmr_error resize(bmr_world *w, size_t size) {
     return BMR_OK;
 }
 
-static void fit_table(bmr_world *w) {
+static bmr_error fit_table(bmr_world *w) {
+    if (w->table_size == 0)
+        return resize(w, LEAST_TABLE);
     if (w->cell_count > w->table_size && w->table_size <= SIZE_MAX / 2)
         resize(w, 2 * w->table_size);
     else if (w->table_size > LEAST_TABLE && w->cell_count < w->table_size / 8)
         resize(w, w->table_size / 2);
+    return BMR_OK;
 }
 
 static bmr_cell *create(bmr_world *w, int level, int64_t column, int64_t row) {
@@ -197,6 +200,7 @@ static void drop_top(bmr_world *w) {
             destroy(w, cell);
         }
     w->top--;
+    w->idle_top = 0;
 }
 
 /// One level more: a parent for each cell of the top level.
@@ -222,26 +226,18 @@ static bmr_error raise_top(bmr_world *w) {
 void bmr_grid_lower(bmr_world *w) {
     if (w->cell_count == 0 || w->level_bodies[w->top - BMR_LEAST_LEVEL] > 0)
         w->idle_top = 0;
-    else if (++w->idle_top > w->table_size) {
+    else if (++w->idle_top > w->table_size)
         drop_top(w);
-        w->idle_top = 0;
-    }
 }
 
 bmr_error bmr_grid_cell(bmr_world *w, int level, int64_t column, int64_t row, bmr_cell **cell) {
-    if (w->table_size == 0) {
-        const bmr_error error = resize(w, LEAST_TABLE);
-        if (error != BMR_OK)
-            return error;
-    }
-    fit_table(w);
+    bmr_error error = fit_table(w);
     if (w->cell_count == 0)
         w->top = level;
-    while (w->top < level) {
-        const bmr_error error = raise_top(w);
-        if (error != BMR_OK)
-            return error;
-    }
+    while (w->top < level && error == BMR_OK)
+        error = raise_top(w);
+    if (error != BMR_OK)
+        return error;
     int64_t i = wrapped(column, around(w->around_x, level)), j = wrapped(row, around(w->around_y, level));
     *cell = find(w, level, i, j);
     bmr_cell *below = NULL;

@@ -44,6 +44,10 @@ bmr_body bmr_world_next_body(const bmr_world *w, size_t *place) {
     return BMR_NO_BODY;
 }
 
+static double next_event(const bmr_world *w, const bmr_scheduled *head) {
+    return head->item.place == BMR_NOT_QUEUED ? INFINITY : w->queue.heap[head->item.place].time;
+}
+
 void bmr_world_each_pair(const bmr_world *w, void (*visit)(void *context, const bmr_world_pair *pair),
                          void *context) {
     for (size_t i = 0; i < w->places; i++) {
@@ -58,8 +62,7 @@ void bmr_world_each_pair(const bmr_world *w, void (*visit)(void *context, const 
             pair.watch = (bmr_watch)c->watch;
             pair.image = bmr_body_pair_shift(w, c);
             pair.reach = bmr_disks_reach(w, c);
-            pair.next =
-                c->head.item.place == BMR_NOT_QUEUED ? INFINITY : w->queue.heap[c->head.item.place].time;
+            pair.next = next_event(w, &c->head);
             pair.neighbours = c->neighbours;
             pair.kds = c->near ? c->near->kds : NULL;
             visit(context, &pair);
@@ -158,42 +161,35 @@ static const bmr_body_pair *pair_of(const bmr_world_body *a, const bmr_world_bod
     return NULL;
 }
 
-/// Each two: if their cells are neighbours they are a pair, and if they are none their disks, and those of
-/// all images around, are apart.
+/// Each two: if their cells are neighbours they are a pair, and if they are none their disks are apart. (Of
+/// images only the nearest can meet: in a periodic box a body is smaller than a quarter of each side.)
 static bmr_error audit_two(const bmr_world *w, const bmr_world_body *a, const bmr_world_body *b) {
     int64_t image[2];
     const bool neighbours = are_neighbours(w, a, b, image);
     const bmr_body_pair *c = pair_of(a, b, image);
     if (neighbours && (!c || !c->neighbours))
         return BMR_ERROR_INVALID_STRUCTURE;
-    const bmr_vec2 size = bmr_sub(w->def.high, w->def.low);
-    const bmr_vec2 way =
+    bmr_vec2 way =
         bmr_sub(bmr_path_position(&b->now.piece, w->time), bmr_path_position(&a->now.piece, w->time));
-    const bool periodic = w->def.boundary == BMR_PERIODIC;
-    const int64_t around = periodic ? 1 : 0;
-    const int64_t base[2] = {periodic ? (int64_t)floor(0.5 - way.x / size.x) : 0,
-                             periodic ? (int64_t)floor(0.5 - way.y / size.y) : 0};
-    for (int64_t i = base[0] - around; i <= base[0] + around; i++)
-        for (int64_t j = base[1] - around; j <= base[1] + around; j++) {
-            const int64_t here[2] = {i, j};
-            const bmr_vec2 apart = bmr_vec2_make(way.x + (periodic ? (double)i * size.x : 0.0),
-                                                 way.y + (periodic ? (double)j * size.y : 0.0));
-            if (hypot(apart.x, apart.y) <= a->radius + b->radius + w->def.kds.margin && !pair_of(a, b, here))
-                return BMR_ERROR_FALSE_CERTIFICATE;
-        }
-    return BMR_OK;
+    int64_t nearest[2] = {0, 0};
+    if (w->def.boundary == BMR_PERIODIC) {
+        const bmr_vec2 size = bmr_sub(w->def.high, w->def.low);
+        nearest[0] = (int64_t)floor(0.5 - way.x / size.x);
+        nearest[1] = (int64_t)floor(0.5 - way.y / size.y);
+        way = bmr_add(way, bmr_vec2_make((double)nearest[0] * size.x, (double)nearest[1] * size.y));
+    }
+    return hypot(way.x, way.y) > a->radius + b->radius + w->def.kds.margin || pair_of(a, b, nearest)
+               ? BMR_OK
+               : BMR_ERROR_FALSE_CERTIFICATE;
 }
 
 static bmr_error audit_pair(const bmr_world *w, const bmr_body_pair *c) {
-    if (!c->neighbours && c->watch == BMR_WATCH_DISKS)
+    const bool disks = c->watch == BMR_WATCH_DISKS;
+    if (disks != (c->near == NULL) || (disks && !c->neighbours))
         return BMR_ERROR_INVALID_STRUCTURE;
-    if ((c->watch == BMR_WATCH_DISKS) != (c->near == NULL))
-        return BMR_ERROR_INVALID_STRUCTURE;
-    const bool due =
-        c->head.item.place != BMR_NOT_QUEUED && w->queue.heap[c->head.item.place].time <= w->time;
-    if (due) // it was not processed yet
+    if (next_event(w, &c->head) <= w->time) // it was not processed yet
         return BMR_OK;
-    if (c->watch == BMR_WATCH_DISKS)
+    if (disks)
         return bmr_disks_distance(w, c, w->time) > (1.0 - ROUNDING) * bmr_disks_reach(w, c)
                    ? BMR_OK
                    : BMR_ERROR_FALSE_CERTIFICATE;
@@ -217,9 +213,7 @@ static bmr_error audit_queue(const bmr_world *w) {
 
 /// A body's list of pairs, and its cell.
 static bmr_error audit_body(const bmr_world *w, const bmr_world_body *r) {
-    const bool due =
-        r->head.item.place != BMR_NOT_QUEUED && w->queue.heap[r->head.item.place].time <= w->time;
-    if (!due && !in_cell(w, r))
+    if (next_event(w, &r->head) > w->time && !in_cell(w, r))
         return BMR_ERROR_FALSE_CERTIFICATE;
     size_t pairs = 0;
     for (const bmr_body_pair *c = r->first; c; c = c->after[bmr_body_pair_side(c, r)], pairs++) {
