@@ -181,6 +181,6 @@ bmr_error bmr_contact_report(bmr_world *w, bmr_body_pair *c) {
     // The answer changes motions; this pair's own turn comes after. (NULL: the callback ended it.)
     const bmr_error error = w->busy ? answer(w, c, &response, &touch) : BMR_OK;
     w->busy = NULL;
-    bmr_world_observe(w, BMR_WORLD_CONTACT, touch.contact.time, touch.contact.a, touch.contact.b, NULL);
+    bmr_world_observe(w, BMR_WORLD_CONTACT, touch.contact.a, touch.contact.b, NULL);
     return error;
 }

@@ -85,12 +85,12 @@ bmr_world_trouble bmr_world_get_trouble(const bmr_world *w) {
 
 // ---- events ----
 
-void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr_body a, bmr_body b,
+void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, bmr_body a, bmr_body b,
                        const bmr_kds_report *report) {
     w->counts.events[kind]++;
     if (!w->def.observer)
         return;
-    bmr_world_event event = {.kind = kind, .time = time, .a = a, .b = b};
+    bmr_world_event event = {.kind = kind, .time = w->time, .a = a, .b = b};
     if (report)
         event.report = *report;
     w->def.observer(w->def.context, w, &event);

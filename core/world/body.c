@@ -81,18 +81,16 @@ static bool jumps(const bmr_world *w, const bmr_world_body *r, const bmr_motion_
 
 // ---- neighbours ----
 
-/// Is a wall within the reach of a body in this cell?
+/// Is a wall within the reach of a body in this cell? (A cell is wider than what a disk reaches, with all
+/// that is added to it.)
 static bool wall_is_near(const bmr_world *w, int side, int level, int64_t column, int64_t row) {
     if (w->def.all_pairs)
         return true;
-    const bmr_vec2 sizes = bmr_cell_size(w, level);
+    bmr_vec2 low, high;
+    bmr_cell_box(w, level, column, row, 1.0, &low, &high);
     const bool upright = side < 2;
-    const double size = upright ? sizes.x : sizes.y;
-    const double low = (double)(upright ? column : row) * size, high = low + size;
-    const bmr_vec2 corner = side % 2 == 0 ? w->def.low : w->def.high;
-    const double line = upright ? corner.x : corner.y;
-    // A cell is wider than what a disk reaches, with all that is added to it.
-    return side % 2 == 0 ? low - size <= line : high + size >= line;
+    return side % 2 == 0 ? (upright ? low.x <= w->def.low.x : low.y <= w->def.low.y)
+                         : (upright ? high.x >= w->def.high.x : high.y >= w->def.high.y);
 }
 
 static void mark_pairs(bmr_world_body *r) {
@@ -312,7 +310,7 @@ static bmr_error cross(bmr_world *w, bmr_world_body *r) {
     if (settled != BMR_OK)
         return settled;
     search_later(w, r, stays ? nextafter(w->time, INFINITY) : w->time);
-    bmr_world_observe(w, BMR_WORLD_CROSS, w->time, id, BMR_NO_BODY, NULL);
+    bmr_world_observe(w, BMR_WORLD_CROSS, id, BMR_NO_BODY, NULL);
     return BMR_OK;
 }
 
@@ -359,7 +357,7 @@ static bmr_error next_piece(bmr_world *w, bmr_world_body *r) {
     const bmr_error error = bmr_body_move(w, r, &course);
     if (error != BMR_OK)
         return error;
-    bmr_world_observe(w, BMR_WORLD_PLAN, w->time, id, BMR_NO_BODY, NULL);
+    bmr_world_observe(w, BMR_WORLD_PLAN, id, BMR_NO_BODY, NULL);
     return BMR_OK;
 }
 

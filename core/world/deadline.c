@@ -38,6 +38,15 @@ bmr_vec2 bmr_path_begins(const bmr_motion_piece *piece) {
                                           : bmr_vec2_make(piece->as.algebraic.x[0], piece->as.algebraic.y[0]);
 }
 
+void bmr_path_begin_at(bmr_motion_piece *piece, bmr_vec2 position) {
+    if (piece->kind == BMR_PIECE_SCREW) {
+        piece->as.screw.start.position = position;
+    } else {
+        piece->as.algebraic.x[0] = position.x;
+        piece->as.algebraic.y[0] = position.y;
+    }
+}
+
 /// Of the frame's origin, whatever the body's rotation does: for a straight path its velocity too.
 static bmr_vec2 straight(const bmr_motion_piece *piece, double time, bmr_vec2 *velocity) {
     const bmr_algebraic_piece *p = &piece->as.algebraic;
@@ -104,8 +113,8 @@ static double parted(const bmr_world *w, double reach) {
 #define WINDOWS 8
 /// The shortest window, in parts of the epoch: below, its ends could not be told apart.
 #define LEAST_WINDOW 0x1p-40
-/// Windows that are left out at once, at most, as a power of 2; and how far from the reach they must stay.
-#define MOST_DOUBLINGS 40
+/// Windows that are left out at once, at most; and how far from the reach they must stay.
+#define MOST_CLEAR 0x1p40
 #define CLEAR_PART 1.125
 /// A place is known when it is to this part of the reach: an eighth of what lies between to meet and to part.
 #define EXACT_PART 0x1p-5
@@ -115,15 +124,13 @@ static double parted(const bmr_world *w, double reach) {
 /// The same path without a rotation: the origin's alone.
 static bmr_motion_piece path_of(const bmr_motion_piece *piece, bmr_vec2 shift) {
     bmr_motion_piece path = *piece;
+    bmr_path_begin_at(&path, bmr_add(bmr_path_begins(piece), shift));
     if (path.kind == BMR_PIECE_SCREW) {
         path.as.screw.spin = 0.0;
-        path.as.screw.start.position = bmr_add(path.as.screw.start.position, shift);
     } else {
         path.as.algebraic.rotation_degree = 0;
         path.as.algebraic.a[0] = 1.0;
         path.as.algebraic.b[0] = 0.0;
-        path.as.algebraic.x[0] += shift.x;
-        path.as.algebraic.y[0] += shift.y;
     }
     return path;
 }
@@ -299,13 +306,9 @@ static bool is_clear(const curve *k, double distance, bool inside, double reach,
 /// So many windows from `from` on, as a power of 2 or 0, have no change: to search them would find the
 /// same.
 static double clear_windows(const curve *k, double distance, bool inside, double reach, double from) {
-    double clear = 0.0;
-    for (int doublings = 0; doublings <= MOST_DOUBLINGS; doublings++) {
-        const double count = ldexp(1.0, doublings);
-        if (!is_clear(k, distance, inside, reach, from, count * k->window))
-            break;
+    double clear = 0.0, count = 1.0;
+    for (; count <= MOST_CLEAR && is_clear(k, distance, inside, reach, from, count * k->window); count *= 2.0)
         clear = count;
-    }
     return clear;
 }
 

@@ -114,21 +114,6 @@ bmr_vec2 bmr_body_pair_shift(const bmr_world *w, const bmr_body_pair *c) {
                          c->image[1] ? c->image[1] * (w->def.high.y - w->def.low.y) : 0.0);
 }
 
-/// The same motion from another beginning. (Copies no more than what the piece's kind has.)
-static void begin_at(bmr_timed_piece *seen, const bmr_timed_piece *timed, bmr_vec2 position) {
-    seen->from = timed->from;
-    seen->piece.kind = timed->piece.kind;
-    seen->piece.origin = timed->piece.origin;
-    if (timed->piece.kind == BMR_PIECE_SCREW) {
-        seen->piece.as.screw = timed->piece.as.screw;
-        seen->piece.as.screw.start.position = position;
-    } else {
-        seen->piece.as.algebraic = timed->piece.as.algebraic;
-        seen->piece.as.algebraic.x[0] = position.x;
-        seen->piece.as.algebraic.y[0] = position.y;
-    }
-}
-
 /// What goes along an upright wall (y), or along a level one (x), is taken out.
 static void stay_beside(bmr_motion_piece *piece, bool upright) {
     if (piece->kind == BMR_PIECE_SCREW) {
@@ -153,14 +138,13 @@ bmr_pair_motion bmr_body_pair_motion(const bmr_world *w, const bmr_body_pair *c,
     const bmr_vec2 begins = bmr_path_begins(&first->piece), other = bmr_path_begins(&second->piece);
     const bmr_vec2 way = bmr_add(bmr_sub(other, begins), bmr_body_pair_shift(w, c));
     const bmr_vec2 origin = bmr_vec2_make(0.0, 0.0);
-    if (bmr_body_is_wall(c->side[1])) {
-        begin_at(&view->pieces[0], first, bmr_neg(way));
+    const bool wall = bmr_body_is_wall(c->side[1]);
+    view->pieces[0] = *first;
+    view->pieces[1] = *second;
+    bmr_path_begin_at(&view->pieces[0].piece, wall ? bmr_neg(way) : origin);
+    bmr_path_begin_at(&view->pieces[1].piece, wall ? origin : way);
+    if (wall)
         stay_beside(&view->pieces[0].piece, bmr_wall_is_upright(c->side[1]));
-        begin_at(&view->pieces[1], second, origin);
-    } else {
-        begin_at(&view->pieces[0], first, origin);
-        begin_at(&view->pieces[1], second, way);
-    }
     for (int i = 0; i < 2; i++)
         view->motions[i] = bmr_motion_of_piece(&view->pieces[i]);
     const bmr_pair_motion motion = {&view->motions[0], &view->motions[1], bmr_body_pair_shape(c, 0)->polygon,

@@ -331,7 +331,7 @@ static bool is_burst(const bmr_world *w, bmr_near *n, double time) {
 
 static void observe(bmr_world *w, const bmr_body_pair *c, bmr_world_event_kind kind,
                     const bmr_kds_report *report) {
-    bmr_world_observe(w, kind, w->time, c->side[0]->id, c->side[1]->id, report);
+    bmr_world_observe(w, kind, c->side[0]->id, c->side[1]->id, report);
 }
 
 static double margin_of(const bmr_world *w, unsigned level) {
@@ -401,7 +401,7 @@ static void part(bmr_world *w, bmr_body_pair *c) {
         bmr_body_pair_search_later(w, c, false);
     else
         bmr_body_pair_destroy(w, c);
-    bmr_world_observe(w, BMR_WORLD_PART, w->time, a, b, NULL);
+    bmr_world_observe(w, BMR_WORLD_PART, a, b, NULL);
 }
 
 /// When the condition fails, where that is known better than by the search: at `later` it does.
@@ -465,14 +465,12 @@ static bmr_error grow(bmr_world *w, bmr_body_pair *c) {
     if (lower < before) {
         bmr_kds_report report;
         n->level = lower;
-        bool apart = start(w, c, w->time, &report);
-        if (!apart) {
+        if (!start(w, c, w->time, &report)) {
             n->level = before;
-            apart = start(w, c, w->time, &report);
-        }
-        if (!apart) { // apart, and no proof of it
-            bmr_body_pair_pass(w, c);
-            return bmr_body_pair_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_PROOF);
+            if (!start(w, c, w->time, &report)) { // apart, and no proof of it
+                bmr_body_pair_pass(w, c);
+                return bmr_body_pair_stop(w, c, BMR_ERROR_STALLED, BMR_TROUBLE_PROOF);
+            }
         }
         if (n->level == 0) {
             n->growth = INFINITY;

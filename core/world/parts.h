@@ -189,7 +189,8 @@ static inline bmr_error bmr_body_pair_stop(bmr_world *w, const bmr_body_pair *c,
                                            bmr_trouble kind) {
     return bmr_world_stop(w, error, kind, c->side[0]->id, c->side[1]->id);
 }
-void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, double time, bmr_body a, bmr_body b,
+/// At the present time.
+void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, bmr_body a, bmr_body b,
                        const bmr_kds_report *report);
 
 // cells.c: the nested grids.
@@ -278,8 +279,9 @@ bmr_error bmr_disks_next(const bmr_world *w, const bmr_body_pair *c, bool meets,
 bmr_error bmr_body_leaves_cell(const bmr_world *w, const bmr_world_body *r, double after, double *time,
                                bool *unfinished);
 bmr_vec2 bmr_path_position(const bmr_motion_piece *piece, double time);
-/// At the piece's own origin of time.
+/// At the piece's own origin of time; and the same motion from another beginning.
 bmr_vec2 bmr_path_begins(const bmr_motion_piece *piece);
+void bmr_path_begin_at(bmr_motion_piece *piece, bmr_vec2 position);
 
 // pair.c: the life of a pair.
 
