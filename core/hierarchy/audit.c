@@ -163,7 +163,8 @@ bmr_error bmr_hierarchy_audit(const bmr_hierarchy *hierarchy) {
     if (error != BMR_OK)
         return error;
     if (hierarchy->stamp != hierarchy->polygon->stamp || hierarchy->count < BMR_ROOTS ||
-        hierarchy->kind >= BMR_HIERARCHY_KIND_COUNT || hierarchy->depth > bmr_tree_most_levels(hierarchy))
+        hierarchy->kind >= BMR_HIERARCHY_KIND_COUNT || hierarchy->depth > bmr_tree_most_levels(hierarchy) ||
+        hierarchy->count > bmr_tree_most_edges(hierarchy))
         return BMR_ERROR_INVALID_STRUCTURE;
     const audit a = {hierarchy, AUDIT_ROUNDING * hierarchy->polygon->extent};
     uint32_t deepest = 0;

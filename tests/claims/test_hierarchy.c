@@ -5,7 +5,7 @@
 #include "failing_allocator.h"
 #include "geometry/distance.h"
 #include "hierarchies.h"
-#include "hierarchy/tree.h"
+#include "hierarchy/builder.h"
 
 static bmr_hierarchy *built_soundly(bmr_hierarchy_kind kind, const bmr_polygon *p) {
     bmr_hierarchy *h = test_hierarchy(kind, p);
@@ -158,6 +158,11 @@ TEST(audit_refuses_every_kind_of_damage) {
         h->kind = (uint8_t)kind;
         assert_int_equal(bmr_hierarchy_audit(h), BMR_OK);
     }
+    // No deeper than one of its own edges alone would be, but with more edges.
+    own_hierarchy *h = built_soundly(BMR_HIERARCHY_DUDLEY, p);
+    h->kind = BMR_HIERARCHY_DOBKIN_KIRKPATRICK;
+    assert_true(h->depth <= bmr_tree_most_levels(h));
+    assert_refused(h);
 }
 
 // --- inflated hierarchies (section 6; entries and widest edges: tests/random/fuzz_hierarchy.cpp) ---

@@ -4,6 +4,7 @@
 #include "boomerang/hierarchy.h"
 #include "checks.h"
 #include "hierarchies.h"
+#include "hierarchy/builder.h"
 #include "motions.h"
 #include "owned.h"
 
@@ -11,21 +12,33 @@ static const size_t all_sizes[] = {3, 4, 5, 7, 8, 13, 64, 257, 1000, 4096};
 
 // --- the paper's bounds ---
 
+typedef struct size_bound {
+    uint32_t depth, nodes;
+} size_bound;
+
 static uint32_t ceil_log2(double x) {
     return x <= 1.0 ? 0 : (uint32_t)ceil(log2(x));
 }
 
-/// Depth and size: the constants of the paper's text, and of the layout.
-static bool is_small(const bmr_hierarchy *h, uint32_t n) {
-    const uint32_t depth = bmr_hierarchy_depth(h), nodes = bmr_hierarchy_edge_count(h);
+/// Depth and size: the constants of the paper's text, and of the layout. Other kinds have those of their row.
+static size_bound bound_of(const bmr_hierarchy *h, uint32_t n) {
     switch (bmr_hierarchy_get_kind(h)) {
     case BMR_HIERARCHY_COMPASS:
-        return depth <= 2 * ceil_log2(n) && nodes <= 5 * n;
+        return (size_bound){2 * ceil_log2(n), 5 * n};
     case BMR_HIERARCHY_DUDLEY:
-        return depth <= ceil_log2(2.0 * n) && nodes <= 2 * n + 4 && (n < 8 || 2 * nodes <= 5 * n);
+        return (size_bound){ceil_log2(2.0 * n), 2 * n + 4};
+    case BMR_HIERARCHY_DOBKIN_KIRKPATRICK:
+        return (size_bound){ceil_log2(n), n + 4};
     default:
-        return depth <= ceil_log2(n) && nodes <= n + 4;
+        return (size_bound){bmr_tree_most_levels(h), bmr_tree_most_edges(h)};
     }
+}
+
+static bool is_small(const bmr_hierarchy *h, uint32_t n) {
+    const uint32_t depth = bmr_hierarchy_depth(h), nodes = bmr_hierarchy_edge_count(h);
+    const size_bound most = bound_of(h, n);
+    const bool few = bmr_hierarchy_get_kind(h) != BMR_HIERARCHY_DUDLEY || n < 8 || 2 * nodes <= 5 * n;
+    return depth <= most.depth && nodes <= most.nodes && few;
 }
 
 /// The tallest boomerang of each level, times the factor^level, over the diameter; levels up to `last`.
@@ -81,6 +94,8 @@ static void visit_bounds(const bmr_hierarchy *h, test_family family, test_random
     const bmr_polygon *p = bmr_hierarchy_polygon(h);
     const double diameter = test_diameter(p);
     assert_true(is_small(h, p->count));
+    assert_int_equal(bmr_tree_most_levels(h), bound_of(h, p->count).depth);
+    assert_int_equal(bmr_tree_most_edges(h), bound_of(h, p->count).nodes);
     b->small_failed += !is_small(h, p->count / 4 + 1); // control: not those of a smaller polygon
     assert_true(has_few_tall(h, diameter));
     b->few_tall_failed += !has_few_tall(h, diameter / 1e4); // control: as if the polygon were smaller

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Core's functions: polygons, hierarchies, distances, pairs, structures, outlines; and poses that are none.
+#include <algorithm>
+
 #include "boomerang/distance.h"
 #include "boomerang/inflated.h"
 #include "boomerang/kds.h"
@@ -139,17 +141,18 @@ TEST_CASE("boomerang/hierarchy.h, boomerang/inflated.h") {
             ask.NotNull("compass", Round().compass), ask.Allocator(), ask.Result("result", &made));
         return MadeHierarchy(ask, error, made, ask.Allocator());
     });
-    using Build = bmr_error (*)(const bmr_polygon *, const bmr_allocator *, bmr_hierarchy **);
-    const std::pair<const char *, Build> builds[] = {
-        {"bmr_hierarchy_build_dudley", bmr_hierarchy_build_dudley},
-        {"bmr_hierarchy_build_dobkin_kirkpatrick", bmr_hierarchy_build_dobkin_kirkpatrick}};
-    for (const auto &[name, build] : builds)
-        Row(name, [build = build](Asked &ask) {
+    for (int other = BMR_HIERARCHY_COMPASS + 1; other < BMR_HIERARCHY_KIND_COUNT; ++other) {
+        const auto kind = static_cast<bmr_hierarchy_kind>(other);
+        std::string name = bmr_hierarchy_name(kind);
+        std::replace(name.begin(), name.end(), '-', '_');
+        Row(("bmr_hierarchy_build_" + name).c_str(), [kind](Asked &ask) {
             bmr_hierarchy *made = nullptr;
             const bmr_error error =
-                build(ask.NotNull("polygon", Round().polygon), ask.Allocator(), ask.Result("result", &made));
+                bmr_hierarchy_build(kind, ask.NotNull("polygon", Round().polygon), Round().compass,
+                                    ask.Allocator(), ask.Result("result", &made));
             return MadeHierarchy(ask, error, made, ask.Allocator());
         });
+    }
     Row("bmr_hierarchy_audit", [](Asked &ask) {
         return ask.Says(bmr_hierarchy_audit(ask.NotNull("hierarchy", Round().hierarchies[0])));
     });
@@ -227,6 +230,7 @@ TEST_CASE("boomerang/pair.h, boomerang/kds.h") {
     CHECK(bmr_structure_name(BMR_STRUCTURE_COUNT) == nullptr);
     CHECK(bmr_event_name(BMR_EVENT_KIND_COUNT) == nullptr);
     CHECK(bmr_kds_event_name(BMR_KDS_EVENT_KIND_COUNT) == nullptr);
+    CHECK(bmr_hierarchy_name(BMR_HIERARCHY_KIND_COUNT) == nullptr);
     Row("bmr_kds_find", [](Asked &ask) {
         const bmr_kds_info *info = nullptr;
         const char *name = ask.Or("an unknown name", "hybrid", {{"", BMR_ERROR_UNKNOWN_NAME}});

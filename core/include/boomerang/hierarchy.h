@@ -87,6 +87,8 @@ bmr_error bmr_hierarchy_build_dobkin_kirkpatrick(const bmr_polygon *polygon, con
 /// function.
 bmr_error bmr_hierarchy_build(bmr_hierarchy_kind kind, const bmr_polygon *polygon, const bmr_compass *compass,
                               const bmr_allocator *allocator, bmr_hierarchy **hierarchy);
+/// "compass", "dudley", "dobkin-kirkpatrick"; NULL for anything else.
+const char *bmr_hierarchy_name(bmr_hierarchy_kind kind);
 /// Does bmr_hierarchy_build need a compass for it?
 bool bmr_hierarchy_uses_compass(bmr_hierarchy_kind kind);
 /// NULL is no error.

@@ -4,12 +4,12 @@
 Each record here is the one of the same name in core/include/boomerang; tests/front holds them against the headers.
 """
 import ctypes
+import itertools
 import os
 import pathlib
 import weakref
 from ctypes import CFUNCTYPE, POINTER, byref, c_bool, c_char_p, c_double, c_float, c_int, c_int8, c_size_t, c_uint, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p, pointer
 
-HIERARCHY_KINDS = ("compass", "dudley", "dobkin-kirkpatrick")
 PAIR_STRUCTURES = ("lazy-compass", "lazy-dudley", "free-direction", "two-lines")
 
 
@@ -34,8 +34,7 @@ allocator = record("allocator", ("allocate", CFUNCTYPE(c_void_p, c_void_p, c_siz
                    ("release", CFUNCTYPE(None, c_void_p, c_void_p, c_size_t)), ("context", c_void_p))
 closest_points = record("closest_points", ("distance", c_double), ("point_a", vec2), ("point_b", vec2), ("normal", vec2))
 overlap = record("overlap", ("depth", c_double), ("normal", vec2), ("point_a", vec2), ("point_b", vec2))
-shape = record("shape", ("polygon", POINTER(polygon)), ("hierarchies", c_void_p * len(HIERARCHY_KINDS)),
-               ("chains", c_void_p * len(HIERARCHY_KINDS)))
+shape = type("shape", (ctypes.Structure,), {})  # its fields are as many as there are kinds of hierarchies: see below
 certificate = record("certificate", ("normal", c_float * 2), ("offset", c_float), ("window", c_float * 2 * 2), ("low", c_float * 2),
                      ("high", c_float * 2))
 pair = record("pair", ("certificate", certificate), ("bits", c_uint8), ("owner", c_uint8), ("state", c_uint8), ("level", c_int8),
@@ -92,6 +91,7 @@ CORE = {
     "bmr_compass_create": (error, c_size_t, c_void_p, POINTER(c_void_p)),
     "bmr_compass_destroy": (None, c_void_p, c_void_p),
     "bmr_hierarchy_build": (error, c_int, POINTER(polygon), c_void_p, c_void_p, POINTER(c_void_p)),
+    "bmr_hierarchy_name": (c_char_p, c_int),
     "bmr_hierarchy_uses_compass": (c_bool, c_int),
     "bmr_hierarchy_destroy": (None, c_void_p, c_void_p),
     "bmr_hierarchy_depth": (c_uint32, c_void_p),
@@ -168,6 +168,9 @@ class Library:
 
 
 core = Library("libboomerang_core.so.1", CORE)
+HIERARCHY_KINDS = tuple(name.decode() for name in itertools.takewhile(bool, map(core.bmr_hierarchy_name, itertools.count())))
+shape._fields_ = [("polygon", POINTER(polygon)), ("hierarchies", c_void_p * len(HIERARCHY_KINDS)),
+                  ("chains", c_void_p * len(HIERARCHY_KINDS))]
 # Where objects take their memory from: None, which is malloc, or an `allocator`. (Tests count with one.)
 memory = None
 
