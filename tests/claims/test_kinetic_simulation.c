@@ -266,6 +266,9 @@ TEST(an_observer_may_change_a_plan_and_neither_run_nor_destroy) {
         assert_int_equal(bmr_motion_change(s.motions[1], 9.0, &away), BMR_OK);
         assert_int_equal(bmr_simulation_replan(simulation), BMR_ERROR_STALLED);
         assert_true(m.of_kind >= BMR_SIMULATION_BURST);
+        // It stands there: where B is now the structure knows nothing of.
+        assert_int_equal(bmr_simulation_run(simulation, 20.0), BMR_ERROR_STALLED);
+        assert_true(bmr_simulation_time(simulation) == 9.0);
         bmr_simulation_destroy(simulation);
     }
 }
