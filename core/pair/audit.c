@@ -31,50 +31,47 @@ static bool is_extreme(const bmr_hierarchy *h, bmr_vec2 point, bmr_vec2 directio
 
 /// The state of a lazy pair names an edge and a corner of its level, the certificate is made of these, and
 /// the corner is the one nearest to the edge's line.
-static bmr_error audit_lazy(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other,
-                            const bmr_pose *other_in_owner) {
+static bool is_lazy(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other,
+                    const bmr_pose *other_in_owner) {
     const bmr_hierarchy *own = owner->hierarchies[pair->structure],
                         *facing = other->hierarchies[pair->structure];
     const bmr_hierarchy *const hierarchies[2] = {own, facing};
     const bmr_lazy_place at = {{pair->other, pair->other_after, BMR_NO_EDGE}, pair->edge, pair->level, 0};
     if (!bmr_lazy_is_place(hierarchies, &at))
-        return BMR_ERROR_INVALID_STRUCTURE;
+        return false;
     const uint32_t level = bmr_walk_side_level(facing, pair->level);
     const bmr_corner corner = bmr_hierarchy_corner_after(facing, pair->other, level);
     const bmr_certificate *k = &pair->certificate;
     const bmr_line line = bmr_hierarchy_line(own, pair->edge);
     const bmr_vec2 point = bmr_hierarchy_corner_point(facing, corner);
-    if (!near(k->normal, line.normal, 1.0) || !((double)k->offset >= line.offset) ||
-        !near(k->window[0], point, other->polygon->extent) ||
-        !near(k->window[1], point, other->polygon->extent) ||
-        !near(k->low, bmr_hierarchy_line(facing, corner.before).normal, 1.0) ||
-        !near(k->high, bmr_hierarchy_line(facing, corner.after).normal, 1.0))
-        return BMR_ERROR_INVALID_STRUCTURE;
     const bmr_vec2 direction = bmr_neg(bmr_unrotate(other_in_owner, line.normal));
-    const double tolerance = BMR_PAIR_SLOP * other->polygon->extent;
-    return is_extreme(facing, point, direction, level, tolerance) ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
+    const double extent = other->polygon->extent;
+    return near(k->normal, line.normal, 1.0) && (double)k->offset >= line.offset &&
+           near(k->window[0], point, extent) && near(k->window[1], point, extent) &&
+           near(k->low, bmr_hierarchy_line(facing, corner.before).normal, 1.0) &&
+           near(k->high, bmr_hierarchy_line(facing, corner.after).normal, 1.0) &&
+           is_extreme(facing, point, direction, level, BMR_PAIR_SLOP * extent);
 }
 
 /// A free direction's line touches its owner at the vertex that the pair remembers.
-static bmr_error audit_free(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other) {
+static bool is_free(const bmr_pair *pair, const bmr_shape *owner, const bmr_shape *other) {
     const bmr_polygon *own = owner->polygon;
     if (pair->edge >= own->count || pair->other >= other->polygon->count)
-        return BMR_ERROR_INVALID_STRUCTURE;
+        return false;
     const bmr_vec2 normal =
         bmr_vec2_make((double)pair->certificate.normal[0], (double)pair->certificate.normal[1]);
     const double touch = bmr_dot(normal, own->vertices[pair->edge]);
     for (uint32_t i = 0; i < own->count; ++i)
         if (!(bmr_dot(normal, own->vertices[i]) <= touch + FLOAT_ROUNDING * own->extent))
-            return BMR_ERROR_INVALID_STRUCTURE;
-    return BMR_OK;
+            return false;
+    return true;
 }
 
 /// The coarse line of two-lines is an edge's, or an axis's, and of the body that the pair says.
-static bmr_error audit_coarse(const bmr_pair *pair, const bmr_polygon *a, const bmr_polygon *b) {
+static bool is_coarse(const bmr_pair *pair, const bmr_polygon *a, const bmr_polygon *b) {
     bmr_coarse spare;
-    const bool is_line = bmr_spare_line(pair, a, b, &spare) && spare.owner == pair->owner &&
-                         near(pair->certificate.normal, spare.normal, 1.0);
-    return is_line ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
+    return bmr_spare_line(pair, a, b, &spare) && spare.owner == pair->owner &&
+           near(pair->certificate.normal, spare.normal, 1.0);
 }
 
 bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bmr_shape *a,
@@ -100,13 +97,10 @@ bmr_error bmr_pair_audit(const bmr_pair *pair, const bmr_pair_def *def, const bm
     if (bmr_certificate_check(&pair->certificate, other_in_owner, def->margin, &gap) != BMR_CHECK_HOLDS)
         return BMR_ERROR_FALSE_CERTIFICATE;
     const bmr_structure structure = bmr_pair_structure(def, a, b);
-    if (pair->structure != structure)
-        return BMR_ERROR_INVALID_STRUCTURE;
-    if (structure >= BMR_FREE_DIRECTION && pair->level != 0)
-        return BMR_ERROR_INVALID_STRUCTURE;
-    if (structure == BMR_TWO_LINES && !pair->free && audit_coarse(pair, a->polygon, b->polygon) != BMR_OK)
-        return BMR_ERROR_INVALID_STRUCTURE;
-    if (structure >= BMR_FREE_DIRECTION)
-        return audit_free(pair, owner, other);
-    return pair->free ? audit_free(pair, owner, other) : audit_lazy(pair, owner, other, other_in_owner);
+    const bool walks = structure < BMR_FREE_DIRECTION; // on hierarchies
+    const bool is_made =
+        pair->structure == structure && (walks || pair->level == 0) &&
+        (structure != BMR_TWO_LINES || pair->free || is_coarse(pair, a->polygon, b->polygon)) &&
+        (walks && !pair->free ? is_lazy(pair, owner, other, other_in_owner) : is_free(pair, owner, other));
+    return is_made ? BMR_OK : BMR_ERROR_INVALID_STRUCTURE;
 }
