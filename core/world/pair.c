@@ -90,11 +90,10 @@ static bmr_error find_part(bmr_world *w, bmr_body_pair *c) {
         return BMR_OK;
     w->counts.disk_times++;
     bool unfinished;
-    const double after = fmax(w->time, n->from);
-    bmr_error error = bmr_disks_next(w, c, false, after, &n->part, &unfinished);
+    bmr_error error = bmr_disks_next(w, c, false, n->from, &n->part, &unfinished);
     // Who parts as soon as they meet would meet again, and so on: a loop, or a contact that nobody saw.
-    if (error == BMR_OK && !unfinished && n->part <= after &&
-        bmr_disks_distance(w, c, after) <= bmr_disks_reach(w, c))
+    if (error == BMR_OK && !unfinished && n->part <= n->from &&
+        bmr_disks_distance(w, c, n->from) <= bmr_disks_reach(w, c))
         error = BMR_ERROR_OUT_OF_RANGE;
     n->part_known = error == BMR_OK && !unfinished;
     if (error != BMR_OK)
@@ -159,6 +158,7 @@ static bool is_slow_enough(const bmr_world *w, bmr_near *n, const bmr_pair_motio
 
 static bmr_error search_near(bmr_world *w, bmr_body_pair *c) {
     bmr_near *const n = c->near;
+    n->from = fmax(n->from, w->time);
     const bmr_error error = find_part(w, c);
     if (error != BMR_OK)
         return error;
@@ -222,7 +222,7 @@ static bool is_driven_together(const bmr_world *w, const bmr_body_pair *c) {
 void bmr_body_pair_search_later(bmr_world *w, bmr_body_pair *c, bool replan) {
     if (replan && c->near) {
         bmr_near *const n = c->near;
-        n->from = fmax(n->repaired, w->time);
+        n->from = n->repaired;
         n->part = NAN;
         n->window = AHEAD * n->period;
         if (is_driven_together(w, c)) {
@@ -494,7 +494,6 @@ static bmr_error leave(bmr_world *w, bmr_body_pair *c) {
         observe(w, c, BMR_WORLD_LEAVE, &report);
         return BMR_OK;
     }
-    n->from = w->time;
     if (n->retries++ < LEAVE_RETRIES) {
         schedule(w, c, BMR_DUE_LEAVE, w->time + ldexp(bmr_world_tolerance(w, w->time), (int)n->retries));
         return BMR_OK;
@@ -532,7 +531,7 @@ bmr_error bmr_body_pair_event(bmr_world *w, bmr_body_pair *c, bool *touches) {
 void bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c) {
     bmr_near *const n = c->near;
     set_watch(w, c, BMR_WATCH_PASSING);
-    n->from = n->repaired = w->time;
+    n->from = w->time;
     n->part = NAN;
     n->growth = INFINITY;
     n->retries = 0;

@@ -83,7 +83,7 @@ typedef enum bmr_pair_due {
 /// What is kept of a pair whose disks have met.
 typedef struct bmr_near {
     bmr_kds *kds;
-    double from;     ///< nothing fails before; where the next search begins
+    double from;     ///< nothing fails before; where the next search begins, if that is not past
     double repaired; ///< when it was last started or repaired
     double period;   ///< about the time between its last events
     double window;   ///< how far the next search goes

@@ -244,7 +244,7 @@ TEST(a_contact_that_no_answer_ends_is_an_error) {
     own_stage *s = make_stage(BMR_OPEN, 0.0);
     s->response.kind = BMR_RESPONSE_MINE; // and nothing is done
     const bmr_polygon *b = box(1.0);
-    fly(s, b, -5.0, 0.0, 1.0, 0.0, 0.0);
+    const bmr_body moves = fly(s, b, -5.0, 0.0, 1.0, 0.0, 0.0);
     fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
     assert_int_equal(bmr_world_advance(s->world, 10.0), BMR_ERROR_STALLED);
     assert_true(s->count > 3 && s->count < 60);
@@ -252,6 +252,30 @@ TEST(a_contact_that_no_answer_ends_is_an_error) {
         assert_int_equal(s->contacts[i].again, i);
         assert_true(i == 0 || s->contacts[i].distance < 0.6 * s->contacts[i - 1].distance);
     }
+    // The pair passes. Once it was apart, and still is near, all is as it was at first.
+    const size_t before = s->count;
+    advance(s, 7.1);
+    assert_int_equal(s->events[BMR_WORLD_LEAVE], 1);
+    assert_int_equal(s->events[BMR_WORLD_PART], 0);
+    send(s, moves, -1.0, 0.0, 0.0);
+    assert_int_equal(bmr_world_advance(s->world, 20.0), BMR_ERROR_STALLED);
+    assert_int_equal(s->count, 2 * before);
+    assert_int_equal(s->contacts[before].again, 0);
+    assert_near(s->contacts[before].distance, s->contacts[0].distance, 1e-3 * MARGIN);
+}
+
+/// Where there is no hysteresis the structure wants the two a little farther apart than where they leave each
+/// other, and it takes slow ones long to get there: it is asked after ever longer times.
+TEST(who_creeps_apart_is_left) {
+    own_stage *s = make_passing_stage();
+    s->def.kds.hysteresis = 0.0;
+    s->def.most_events = 100;
+    const bmr_polygon *b = box(1.0);
+    fly(s, b, -2.0, 0.0, -1e-7, 0.0, 0.0);
+    fly(s, b, 0.0, 0.0, 0.0, 0.0, 0.0);
+    advance(s, 30.0);
+    assert_int_equal(s->count, 1);
+    assert_int_equal(s->events[BMR_WORLD_LEAVE], 1);
 }
 
 // ---- cells ----
