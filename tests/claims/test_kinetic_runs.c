@@ -43,6 +43,52 @@ TEST(test_every_structure_is_right_on_every_family) {
         }
 }
 
+static bmr_polygon *scaled(bmr_ngon kind, size_t n, double scale) {
+    own_polygon *polygon = ngon(kind, n, 1);
+    bmr_vec2 points[20];
+    for (uint32_t i = 0; i < polygon->count; i++)
+        points[i] = bmr_scale(scale, polygon->vertices[i]);
+    return made_polygon(points, polygon->count);
+}
+
+static void add_time(void *context, const bmr_simulation_event *event) {
+    *(double *)context += event->time;
+}
+
+/// *times: the sum of its events'.
+static bmr_run run_at_scale(const bmr_kds_info *structure, bmr_family family, bool is_point, double scale,
+                            double *times) {
+    static const bmr_vec2 point = {0.0, 0.0};
+    bmr_polygon *b = is_point ? made_polygon(&point, 1) : scaled(BMR_NGON_DISC, 20, scale);
+    own_stage s = stage_of(scaled(BMR_NGON_ELLIPSE, 20, scale), b, (bmr_family_def){family, 40.0, 1, 0, 0});
+    bmr_run_def def = {.simulation = bmr_default_simulation_def(), .observer = add_time, .context = times};
+    def.simulation.kds.margin *= scale;
+    def.simulation.kds.hysteresis *= scale;
+    return run_of(&s, structure, def);
+}
+
+/// A power of 2 loses no digit: where each length is as many times as large, the same happens.
+TEST(a_thousand_times_larger_all_is_the_same) {
+    size_t runs = 0;
+    for (int family = 0; family < BMR_FAMILY_COUNT; family++)
+        for (size_t k = 0; k <= bmr_kds_count(); k++) {
+            const bmr_kds_info *structure = k < bmr_kds_count() ? bmr_kds_at(k) : &own_structure;
+            const bool is_point = structure->domain == BMR_KDS_POINT;
+            if (bmr_family_is_rigid((bmr_family)family) && structure->domain != BMR_KDS_RIGID)
+                continue;
+            double times[2] = {0.0, 0.0};
+            const bmr_run small = run_at_scale(structure, (bmr_family)family, is_point, 1.0, &times[0]),
+                          large = run_at_scale(structure, (bmr_family)family, is_point, 0x1p10, &times[1]);
+            assert_int_equal(large.events, small.events);
+            assert_int_equal(large.lines, small.lines);
+            assert_int_equal(large.counts.touched, small.counts.touched);
+            assert_int_equal(large.counts.failure_times, small.counts.failure_times);
+            assert_true(times[1] == times[0]);
+            runs += small.events > 0;
+        }
+    assert_true(runs > 200);
+}
+
 static double orbit_events(const char *name, size_t n, double ratio) {
     own_stage s = set(BMR_FAMILY_ORBIT, ratio, n, 2);
     return (double)plain_run_of(&s, test_structure(name)).events;
