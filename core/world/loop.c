@@ -86,6 +86,22 @@ static void lay_grid(bmr_world *w) {
     w->unit_y = height / (double)w->around_y;
 }
 
+/// Bodies first, and each kind by births, so that events of one time have an order.
+static bool is_before(const bmr_event_item *a, const bmr_event_item *b) {
+    const bmr_scheduled *const first = (const void *)a, *const second = (const void *)b;
+    if (first->is_pair != second->is_pair)
+        return second->is_pair;
+    if (!first->is_pair) {
+        const bmr_world_body *p = (const void *)a, *q = (const void *)b;
+        return p->birth < q->birth;
+    }
+    const bmr_body_pair *p = (const void *)a, *q = (const void *)b;
+    for (int i = 0; i < 2; i++)
+        if (p->side[i]->birth != q->side[i]->birth)
+            return p->side[i]->birth < q->side[i]->birth;
+    return p->image[0] != q->image[0] ? p->image[0] < q->image[0] : p->image[1] < q->image[1];
+}
+
 bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allocator *allocator,
                            bmr_world **world) {
     if (!def || !def->structure || !world)
@@ -104,7 +120,7 @@ bmr_error bmr_world_create(const bmr_world_def *def, double time, const bmr_allo
     w->counts.bytes = w->counts.most_bytes = sizeof *w;
     w->def = *def;
     w->time = time;
-    w->queue.before = bmr_item_before;
+    w->queue.before = is_before;
     w->trouble.a = w->trouble.b = BMR_NO_BODY;
     if (def->boundary == BMR_PERIODIC)
         lay_grid(w);

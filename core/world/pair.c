@@ -305,21 +305,6 @@ void bmr_body_pair_destroy(bmr_world *w, bmr_body_pair *c) {
     bmr_scheduled_destroy(w, &c->head, sizeof *c);
 }
 
-bool bmr_item_before(const bmr_event_item *a, const bmr_event_item *b) {
-    const bmr_scheduled *const first = (const void *)a, *const second = (const void *)b;
-    if (first->is_pair != second->is_pair)
-        return second->is_pair;
-    if (!first->is_pair) {
-        const bmr_world_body *p = (const void *)a, *q = (const void *)b;
-        return p->birth < q->birth;
-    }
-    const bmr_body_pair *p = (const void *)a, *q = (const void *)b;
-    for (int i = 0; i < 2; i++)
-        if (p->side[i]->birth != q->side[i]->birth)
-            return p->side[i]->birth < q->side[i]->birth;
-    return p->image[0] != q->image[0] ? p->image[0] < q->image[0] : p->image[1] < q->image[1];
-}
-
 // ---- events ----
 
 /// Too many repairs of one pair, each within next to no time of the one before.

@@ -302,7 +302,6 @@ void bmr_body_pair_search_later(bmr_world *w, bmr_body_pair *c, bool replan);
 bmr_error bmr_body_pair_resume(bmr_world *w, bmr_body_pair *c, double receding);
 /// After PASS.
 void bmr_body_pair_pass(bmr_world *w, bmr_body_pair *c);
-bool bmr_item_before(const bmr_event_item *a, const bmr_event_item *b);
 
 /// How many contacts without coming apart it takes for the margin to be halved. With ZENO_ELASTIC they may be
 /// the tremble of a jam: it goes down more slowly.
