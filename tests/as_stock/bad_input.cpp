@@ -261,8 +261,18 @@ void SayThatItAborts(int) {
     test_leave(0);
 }
 
+/// Has a body no number for a place? It never gets one again, and each time of impact with it takes Box2D all
+/// the iterations that it allows itself.
+bool HasNowhere(const b2World &world) {
+    for (const b2Body *b = world.GetBodyList(); b != nullptr; b = b->GetNext())
+        if (!b2IsValid(b->GetPosition().x))
+            return true;
+    return false;
+}
+
+/// A step with such a body counts for four.
 void Play(BadGame *game, int steps) {
-    for (int i = 0; i < steps; ++i) {
+    for (int left = steps; left > 0; left -= HasNowhere(game->world) ? 4 : 1) {
         game->world.Step(game->timeStep, game->velocityIterations, game->positionIterations);
         game->WriteDown();
     }
