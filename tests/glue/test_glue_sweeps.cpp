@@ -184,10 +184,11 @@ struct Tally {
     size_t placed = 0, touching = 0;
 };
 
+/// Without a share, which is the control, one that touches is enough.
 Tally Try(size_t count, const Setting &setting, float share) {
     Engine engine(17);
     Tally tally;
-    for (size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < count && (share > 0.0f || tally.touching == 0); ++i) {
         Pair pair = RandomPair(engine, setting);
         if (!MoveToTheEdge(engine, &pair, share))
             continue;
