@@ -59,6 +59,8 @@ std::vector<Vertices> BadVertexArrays() {
         {"3 points on a line", {{0, 0}, {1, 1}, {2, 2}}, few, few},
         {"20 points on a line", line, few, dented},
         {"20 equal points", Points(20, {1, 1}), few, far},
+        {"a triangle as good as without a width", {{0, 0}, {1, 0}, {0.5, 1e-8}}, far, far},
+        {"a triangle smaller than Box2D's slop", {{0, 0}, {3e-3, 0}, {0, 3e-3}}, made(3), made(3)},
         {"a pentagram", TwiceAround(Ellipse(5)), made(5), dented},
         {"a star of 21 points, twice around", TwiceAround(Ellipse(21)), made(21), dented},
         {"65,535 points on a circle", Ellipse(65535, 1000, 1000), fewer, dented},
@@ -112,14 +114,18 @@ std::vector<Vertices> BadVertexArrays() {
     return all;
 }
 
-/// What a setter says to a shape that holds something, and whether an error left that as it was.
+/// What a setter says to a shape that holds something, and whether an error left that as it was. A skin
+/// stays.
 std::string SetTo(const std::function<bmr_error(bmr::ConvexShape &)> &set, size_t given = 0) {
     bmr::ConvexShape shape;
     if (shape.SetRegular(12, 3.0f) != BMR_OK)
         return "no shape to begin with";
+    shape.m_radius = 0.125f;
     unsigned char before[sizeof shape];
     std::memcpy(before, static_cast<const void *>(&shape), sizeof shape);
     const bmr_error error = set(shape);
+    if (error == BMR_OK && shape.m_radius != 0.125f)
+        return "another skin";
     if (error == BMR_OK)
         return CountOf(static_cast<size_t>(shape.GetVertexCount()), given);
     const bool same = std::memcmp(before, static_cast<const void *>(&shape), sizeof shape) == 0;
@@ -415,6 +421,8 @@ TEST_CASE("boomerang/outline_shape.h") {
         def.friction = ask.Float("friction", 1, kUnsuited);
         def.restitution =
             ask.Float("restitution", 1, Gives(BMR_ERROR_NOT_FINITE, {kNaN, kInfinity}) + Gives(kOk, {-1}));
+        def.restitutionThreshold =
+            ask.Float("restitution's threshold", 1, Gives(BMR_ERROR_NOT_FINITE, {kNaN}));
         const auto create = [&](b2Body *body) {
             return outline->CreateFixtures(ask.NotNull("body", body), def);
         };
@@ -455,6 +463,7 @@ TEST_CASE("boomerang/outline_shape.h") {
 
 TEST_CASE("bad rings of OutlineShape::Set, and the edges that the fault names") {
     constexpr uint32_t kUnnamed = 12345, kNone = BMR_OUTLINE_NONE;
+    constexpr float kMost = 1e9f;
     const struct {
         const char *name;
         Ring points;
@@ -468,6 +477,10 @@ TEST_CASE("bad rings of OutlineShape::Set, and the edges that the fault names") 
         {"a coordinate of 2e9", {{0, 0}, {2e9f, 0}, {0, 1}}, BMR_ERROR_OUT_OF_RANGE, 1, kNone},
         {"a triangle of sides 1e-30", {{0, 0}, {1e-30f, 0}, {0, 1e-30f}}, BMR_ERROR_OUT_OF_RANGE},
         {"two points", {{0, 0}, {2, 0}}, BMR_ERROR_TOO_FEW_POINTS, 0, 0},
+        {"two points, twice", {{0, 0}, {2, 0}, {2, 0}, {0, 0}}, BMR_ERROR_TOO_FEW_POINTS, 0, 0},
+        {"as far as can be",
+         {{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}},
+         "1 pieces"},
         {"no points", {}, BMR_ERROR_TOO_FEW_POINTS, kNone, kNone},
         {"like an 8", {{0, 0}, {2, 2}, {2, 0}, {0, 2}}, BMR_ERROR_CROSSING_EDGES, 0, 2},
         {"a spike", {{0, 0}, {4, 0}, {2, 0}, {2, 2}}, BMR_ERROR_OVERLAPPING_EDGES, 0, 1},

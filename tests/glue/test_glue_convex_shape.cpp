@@ -265,54 +265,6 @@ TEST_CASE("a shape whose vertices are changed in place is what they say") {
     CHECK(bmr::registry::Count() == polygons - 1); // what was changed was kept until then
 }
 
-// What is no polygon at all: tests/contracts/shapes.cpp.
-TEST_CASE("errors say what is wrong and leave the shape as it was") {
-    ConvexShape big, small;
-    REQUIRE(big.SetRegular(100, 1.0f) == BMR_OK);
-    small.SetAsBox(1.0f, 2.0f);
-    big.m_radius = small.m_radius = 0.125f;
-    const b2Vec2 *const vertices = big.GetVertices();
-    Points tiny = Circle(20, 1e-4), far = Circle(20, 1.0);
-    far[7].x = 2e9f;
-    const Points smallSame = {{0, 0}, {0, 0}, {1, 1}, {0, 1}}, huge = {{0, 0}, {1e30f, 0}, {0, 1e30f}};
-    const Points tinyTriangle = {{0, 0}, {3e-3f, 0}, {0, 3e-3f}}, thin = {{0, 0}, {1, 0}, {0.5f, 1e-8f}};
-    const Points over = {{0, 0}, {1, 0}, {2, 0}, {0, 1}};
-    for (ConvexShape *shape : {&big, &small}) {
-        const ConvexShape before = *shape;
-        const struct {
-            const Points &points;
-            bmr_error set, raw;
-        } cases[] = {
-            {far, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
-            {tiny, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
-            {smallSame, BMR_OK, BMR_ERROR_TOO_CLOSE},
-            {huge, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
-            {tinyTriangle, BMR_OK, BMR_OK},
-            {thin, BMR_ERROR_OUT_OF_RANGE, BMR_ERROR_OUT_OF_RANGE},
-            {over, BMR_OK, BMR_ERROR_NOT_CONVEX},
-        };
-        for (const auto &c : cases) {
-            CAPTURE(&c - cases);
-            const int32 count = static_cast<int32>(c.points.size());
-            ConvexShape copy = *shape;
-            CHECK(copy.Set(c.points.data(), count) == c.set);
-            if (c.set != BMR_OK) {
-                CHECK(SameBits(copy, before));
-                CHECK(copy.GetVertices()[0] == before.GetVertices()[0]);
-            }
-            copy = *shape;
-            CHECK(copy.SetRaw(c.points.data(), count) == c.raw);
-            if (c.raw != BMR_OK)
-                CHECK(SameBits(copy, before));
-            CHECK(copy.m_radius == 0.125f);
-        }
-        CHECK(shape->SetEllipse(20, 1.0f, -1.0f) == BMR_ERROR_OUT_OF_RANGE);
-        CHECK(shape->SetRounded(1.0f, 1.0f, 1.5f, 8) == BMR_ERROR_CORNER_TOO_LARGE);
-        CHECK(SameBits(*shape, before));
-    }
-    CHECK(big.GetVertices() == vertices);
-}
-
 TEST_CASE("above 8 vertices every question is answered from the real polygon, as a loop over it would") {
     Engine engine(2);
     size_t inside = 0, hits = 0, octagonDiffers = 0;

@@ -194,31 +194,7 @@ TEST_CASE("the last of the copies and fixtures frees an outline, in any order") 
     CHECK(bmr::registry::Count() == 0);
 }
 
-// The errors: tests/contracts/test_glue_contracts.cpp.
-TEST_CASE("each fault has its place, and what is as far as can be is none") {
-    OutlineShape outline = Elbow();
-    const OutlineShape before = outline;
-    const Ring two = {{0, 0}, {2, 0}, {2, 0}, {0, 0}}, away = {{9, 9}, {10, 9}, {9, 10}};
-    bmr_outline_fault fault = {};
-    CHECK(outline.Set(two.data(), 4, nullptr, 0, 0.0f, &fault) == BMR_ERROR_TOO_FEW_POINTS);
-    CHECK(fault.edge[0] == 0);
-    CHECK(fault.edge[1] == 0);
-    const OutlineHole hole = {away.data(), 3};
-    CHECK(outline.Set(kElbow.data(), Count(kElbow), &hole, 1, 0.0f, &fault) == BMR_ERROR_HOLE_OUTSIDE);
-    CHECK(fault.ring[0] + fault.ring[1] <= 1); // one is the hole
-    CHECK(fault.edge[0] < 9);
-    CHECK(outline == before);
-    constexpr float kMost = 1e9f;
-    const Ring most = {{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}};
-    CHECK(OutlineShape().Set(most.data(), Count(most)) == BMR_OK);
-    b2World world(b2Vec2(0.0f, 0.0f));
-    b2Body *body = AddBody(world);
-    b2FixtureDef threshold;
-    threshold.restitutionThreshold = std::numeric_limits<float>::quiet_NaN();
-    CHECK(outline.CreateFixtures(body, threshold) == BMR_ERROR_NOT_FINITE);
-    CHECK(body->GetFixtureList() == nullptr);
-}
-
+// Other errors: tests/contracts/test_glue_contracts.cpp.
 TEST_CASE("rings in doubles that floats cannot hold are refused, and hold where an origin is subtracted") {
     const bmr_vec2 origin = {141.1081, -23.8278}; // degrees on a map
     bmr_vec2 corners[3] = {{origin.x, origin.y}, {origin.x + 1e-4, origin.y}, {origin.x, origin.y + 1e-4}};
