@@ -81,7 +81,7 @@ void bmr_certificate_fill(bmr_certificate *certificate, bmr_vec2 normal, double 
     k->high[1] = (float)high.y;
     // Outside the bracket by an angle, the support moves away from the window by at most that angle times its
     // distance from it.
-    if (low.x != 0.0 || low.y != 0.0 || high.x != 0.0 || high.y != 0.0)
+    if (low.x != 0.0 || low.y != 0.0)
         loss += BRACKET_ERROR * DIAMETER_OF_EXTENT * reach;
     loss += EVALUATION_ERROR * (owner_extent + reach);
     k->offset = round_up(offset + loss);

@@ -209,9 +209,9 @@ bool bmr_coarse_pick(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose 
 }
 
 bool bmr_coarse_normal(const bmr_polygon *owner, uint32_t edge, bmr_vec2 *normal) {
-    const bool is_axis = edge >= BMR_COARSE_AXIS && edge < BMR_COARSE_AXIS + 4;
-    if (!is_axis && edge >= owner->count)
+    const uint32_t k = edge - BMR_COARSE_AXIS; // of an edge: far above 4
+    if (k >= 4 && edge >= owner->count)
         return false;
-    *normal = is_axis ? axis(edge - BMR_COARSE_AXIS) : bmr_polygon_normal(owner, edge);
+    *normal = k < 4 ? axis(k) : bmr_polygon_normal(owner, edge);
     return true;
 }

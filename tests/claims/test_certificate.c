@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "boomerang/certificate.h"
+#include "certificate/coarse.h"
 #include "checks.h"
 #include "kds/structure.h"
 #include "motions.h"
+#include "owned.h"
 #include "polygons.h"
 
 #define TWO_PI 6.283185307179586
@@ -77,6 +79,31 @@ TEST(what_the_evaluation_loses_is_in_the_offset) {
             assert_true(below <= gap && below >= gap - BMR_CERTIFICATE_LOSS * 2.0 * size);
         }
     }
+}
+
+TEST(only_a_bracket_costs_what_a_bracket_costs) {
+    static const bmr_vec2 lows[] = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}};
+    const bmr_vec2 end = {1.0, 0.0}, normal = {-1.0, 0.0};
+    bmr_certificate k[3];
+    for (int i = 0; i < 3; ++i)
+        bmr_certificate_fill(&k[i], normal, 1.0, &end, 1, lows[i], bmr_left(lows[i]), 1.0, 1.0);
+    assert_true(k[0].offset > 1.0f && k[0].offset < k[1].offset && k[1].offset == k[2].offset);
+}
+
+TEST(a_coarse_line_is_of_an_edge_or_an_axis) {
+    test_random random = test_random_from(3);
+    own_polygon *p = test_polygon(TEST_CIRCLE, 5, &random);
+    for (uint32_t k = 0; k < 5; ++k) {
+        bmr_vec2 edge, axis;
+        assert_true(bmr_coarse_normal(p, k, &edge));
+        assert_true(edge.x == bmr_polygon_normal(p, k).x && edge.y == bmr_polygon_normal(p, k).y);
+        assert_true(bmr_coarse_normal(p, BMR_COARSE_AXIS + k, &axis) == (k < 4));
+        assert_true(k == 4 || axis.x == (double)((k == 0) - (k == 2)));
+        assert_true(k == 4 || axis.y == (double)((k == 1) - (k == 3)));
+    }
+    bmr_vec2 none;
+    assert_false(bmr_coarse_normal(p, 5, &none));
+    assert_false(bmr_coarse_normal(p, BMR_COARSE_AXIS - 1, &none));
 }
 
 TEST(a_half_plane_of_directions_is_a_bracket) {
