@@ -286,6 +286,36 @@ AS_STOCK("nothing is allocated for pairs that stay apart") {
     run.Expect(BytesInUse() == before, "nothing was kept");
 }
 
+// Each at another address: a table that stayed would be found by the next world at its own.
+AS_STOCK("a world of a class that is derived from b2World gives its table back") {
+    constexpr int kPairs = 60;
+    struct Derived : b2World {
+        using b2World::b2World;
+    };
+    struct Place {
+        alignas(Derived) unsigned char bytes[sizeof(Derived)];
+    };
+    std::vector<Place> places(16);
+    size_t worlds = 0;
+    int32 contacts = 0;
+    const auto live = [&] {
+        auto *const world = new (&places[worlds++]) Derived(b2Vec2(0.0f, 0.0f));
+        for (int i = 0; i < kPairs; ++i)
+            for (const float x : {0.0f, 0.9f})
+                AddBox(*world, b2_dynamicBody, {3.0f * Real(i) + x, 0.0f}, {0.4f, 0.4f}, 0.0f);
+        for (int i = 0; i < 3; ++i)
+            world->Step(1.0f / 60.0f, 8, 3);
+        contacts = world->GetContactCount();
+        world->~Derived();
+    };
+    while (worlds < 10) // until malloc keeps as much at hand as it will
+        live();
+    const bool nothing = LeavesNothing(kPairs, live);
+    run.Print("%d contacts", static_cast<int>(contacts));
+    run.Stage(contacts == kPairs && worlds == places.size(), "worlds with tables end");
+    run.Expect(nothing, "nothing was kept");
+}
+
 TEST_CASE("verify notices a contact that a step passes over and that Box2D would change") {
     bmr::Options options;
     options.mode = bmr::Mode::Verify;
