@@ -182,6 +182,24 @@ AS_STOCK("no time: a sleeper is pushed ahead of a step of no time, which forgets
     game.TookPlace(slept, "a sleeper is pushed");
 }
 
+AS_STOCK("pushed: a listener pushes a sleeper in an impact, and the step forgets the push") {
+    Game game(run);
+    AddOthers(game);
+    game.Wall({0.0f, 0.0f}, {0.05f, 1.0f});
+    b2Body *const shot = game.Awake({-0.3f, 0.0f}, {0.1f, 0.1f}), *const pushed = game.Box({0.0f, 40.0f});
+    pushed->SetAwake(false);
+    game.Listen();
+    game.Step(40); // until Bodies finds that few are awake
+    int woken = 0;
+    game.listener.begin.Once([pushed, &woken] {
+        woken += pushed->IsAwake() ? 0 : 1;
+        pushed->ApplyForceToCenter({50.0f, 0.0f}, true);
+    });
+    shot->SetLinearVelocity({120.0f, 0.0f});
+    game.Step(5);
+    game.TookPlace(woken, "a sleeper is pushed");
+}
+
 AS_STOCK("a body that nothing touches falls asleep after one position iteration, and not without any") {
     Game game(run);
     for (int i = 0; i < 30; ++i)
