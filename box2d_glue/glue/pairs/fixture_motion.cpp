@@ -224,7 +224,6 @@ void FixtureMotions::Begin(uint32_t row, const b2BroadPhase &broadPhase, uint64_
     motion.proved = 0;
     // No pair uses the row yet: its beginning is no mark.
     motion.mover.moved = m_moved[row] = moved;
-    m_bits[row] &= static_cast<uint8_t>(~(kChanged | kChangedLate));
 }
 
 void FixtureMotions::Update(uint32_t row, const b2BroadPhase &broadPhase, uint64_t stamp, bool late) {
