@@ -13,8 +13,7 @@ file(WRITE ${gsl_folder}/config.h.new "#define HAVE_IEEE_COMPARISONS 1\n#define 
 configure_file(${gsl_folder}/config.h.new ${gsl_folder}/config.h COPYONLY)
 add_library(gsl STATIC
   ${GSL_SOURCE}/err/error.c ${GSL_SOURCE}/err/stream.c ${GSL_SOURCE}/err/strerror.c
-  ${GSL_SOURCE}/poly/zsolve.c ${GSL_SOURCE}/poly/zsolve_init.c ${GSL_SOURCE}/poly/zsolve_quadratic.c
-  ${GSL_SOURCE}/roots/brent.c ${GSL_SOURCE}/roots/fsolver.c
+  ${GSL_SOURCE}/roots/brent.c ${GSL_SOURCE}/roots/fsolver.c ${GSL_SOURCE}/roots/newton.c ${GSL_SOURCE}/roots/fdfsolver.c
   ${GSL_SOURCE}/rng/rng.c ${GSL_SOURCE}/rng/inline.c ${GSL_SOURCE}/rng/mt.c
   ${GSL_SOURCE}/randist/flat.c ${GSL_SOURCE}/randist/gauss.c
   ${GSL_SOURCE}/sys/coerce.c ${GSL_SOURCE}/sys/fdiv.c ${GSL_SOURCE}/sys/infnan.c)
