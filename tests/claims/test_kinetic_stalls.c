@@ -6,6 +6,7 @@
 #include "checks.h"
 #include "course_stage.h"
 #include "kds_driver.h"
+#include "motions.h"
 
 /// One of the courses.
 typedef struct stall {
@@ -54,6 +55,35 @@ TEST(sides_that_are_crossed_at_a_small_angle) {
         {"tiling-dudley", BMR_FAMILY_ORBIT, BMR_NGON_REGULAR, 64, 300000.0, 1}};
     for (size_t i = 0; i < sizeof stalls / sizeof *stalls; i++)
         follow(&stalls[i]);
+}
+
+/// All edges of two equal regular polygons become parallel at once, and B turns so slowly that a little later
+/// it has turned by less than a rounding: each page is turned once.
+TEST(who_turns_slowly_past_parallel_edges_turns_few_pages) {
+    static const char *const names[] = {"active-cell-compass", "active-cell-dudley"};
+    test_random random = test_random_from(1);
+    uint64_t pages = 0;
+    for (size_t i = 0; i < test_scaled(100); i++) {
+        const size_t n = 4 + 4 * (i % 4);
+        own_kds_body a = test_kds_body_make(ngon(BMR_NGON_REGULAR, n, 1));
+        own_kds_body b = test_kds_body_make(ngon(BMR_NGON_REGULAR, n, 1));
+        const double way = test_random_uniform(&random, -3.0, 3.0),
+                     gap = exp(test_random_uniform(&random, -9.0, 0.0));
+        const double spin = exp(test_random_uniform(&random, log(1e-12), log(1e-7)));
+        bmr_pose from = test_pose_at(a.polygon, b.polygon, way, -0.5 * spin, gap);
+        const bmr_vec2 along = {-sin(way), cos(way)};
+        from.position = bmr_sub(from.position, along);
+        own_course course =
+            course_along(a.polygon, b.polygon, bmr_piece_screw(0.0, from, bmr_scale(2.0, along), spin));
+        const bmr_run_def def = {
+            test_structure(names[i % 2]), {a.shape, b.shape}, bmr_default_simulation_def(), true, NULL, NULL};
+        bmr_run run;
+        assert_int_equal(bmr_run_course(&def, &course, 1.0, NULL, &run), BMR_OK);
+        assert_int_equal(run.audit, BMR_OK);
+        assert_true(run.counts.events[BMR_KDS_PAGE_TURN] <= n);
+        pages += run.counts.events[BMR_KDS_PAGE_TURN];
+    }
+    assert_true(pages > 10);
 }
 
 #define MOST_EVENTS 24
