@@ -188,9 +188,7 @@ bool FixtureMotions::UpdateShape(FixtureMotion *motion, uint8_t *bits) const {
 bool FixtureMotions::ChangesBand(FixtureMotion *motion, uint8_t *bits) {
     constexpr double kReach0 = static_cast<double>(kBandReach), kWellWithin = 0.75;
     const b2Vec2 place = b2Abs(motion->place.p);
-    const double reach =
-        static_cast<double>(kBandReachOfExtent) *
-        (motion->mover.reach + std::fabs(motion->mover.pivot.x) + std::fabs(motion->mover.pivot.y));
+    const double reach = static_cast<double>(kBandReachOfExtent) * motion->Extent();
     const double farthest = static_cast<double>(b2Max(place.x, place.y)) + reach;
     if (farthest <= kReach0 && motion->band == 0) // nearly all
         return false;

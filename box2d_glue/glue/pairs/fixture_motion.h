@@ -2,6 +2,7 @@
 #ifndef BOOMERANG_GLUE_FIXTURE_MOTION_H
 #define BOOMERANG_GLUE_FIXTURE_MOTION_H
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -56,6 +57,9 @@ struct alignas(64) FixtureMotion {
     uint32_t late;    ///< units that were added in the middle of the present pass
     uint64_t sweptAt; ///< the table's stamp when its sweep was last compared
     uint64_t endedAt; ///< the same for how far that may come
+
+    /// No point of it is farther from its body's origin.
+    double Extent() const { return mover.reach + std::fabs(mover.pivot.x) + std::fabs(mover.pivot.y); }
 };
 static_assert(sizeof(void *) < 8 || (offsetof(FixtureMotion, place) == 128 && sizeof(FixtureMotion) == 192),
               "three cache lines");
