@@ -160,7 +160,7 @@ void CollidePass::Visit(uint32_t i) {
         m_table->SetAsleep(i);
         return;
     }
-    const std::optional<bool> known = m_table->BoxesOverlap(i);
+    const std::optional<bool> known = m_table->KnownBoxesOverlap(i);
     if (!(known.has_value() ? *known : BoxesOverlap(*m_manager, *contact))) {
         Destroy(i, contact);
         return;

@@ -90,7 +90,7 @@ private:
 /// The client for which b2BroadPhase::UpdatePairs is instantiated.
 class PairFinder {
 public:
-    explicit PairFinder(b2ContactManager *manager) : m_manager(manager), m_table(FollowedTable()) {}
+    explicit PairFinder(b2ContactManager *manager) : m_manager(manager), m_table(WholeTable()) {}
 
     /// Makes a contact of the pair, unless there is one already.
     void Report(const b2FixtureProxy &a, const b2FixtureProxy &b) {
@@ -101,7 +101,7 @@ public:
             table->deferred.BeforeGame();
         const bool passes = PassesFilters(m_manager, a.fixture, b.fixture);
         if (ofGame)
-            m_table = FollowedTable(); // the world may have left the one before
+            m_table = WholeTable(); // the world may have left the one before
         if (!passes)
             return;
         b2Contact *contact = LinkedContact::Create(a, b, m_manager->m_allocator);
@@ -109,12 +109,12 @@ public:
             return;
         LinkedContact::Link(m_manager, contact);
         if (m_table != nullptr || m_manager->m_contactCount == CostOfAPass())
-            m_table = FollowedTable();
+            m_table = WholeTable();
     }
 
 private:
     /// The world's table with all of its contacts; nullptr where it has none.
-    PairTable *FollowedTable() const {
+    PairTable *WholeTable() const {
         PairTable *table =
             m_manager->m_contactCount >= CostOfAPass() ? MakePairTable(m_manager) : FindPairTable(m_manager);
         return table != nullptr && (table->IsWhole() || table->CatchUp()) ? table : nullptr;

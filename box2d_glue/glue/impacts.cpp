@@ -29,19 +29,19 @@ b2Body *BodyB(b2Contact *contact) {
 }
 
 /// May Box2D ask for the time of its impact, if one of the two is awake? Only code of the game changes that.
-inline bool MayHaveToi(b2Contact *contact) {
+inline bool IsToiCandidate(b2Contact *contact) {
     return !contact->GetFixtureA()->IsSensor() && !contact->GetFixtureB()->IsSensor() &&
            (IsBulletOrStatic(BodyA(contact)) || IsBulletOrStatic(BodyB(contact)));
 }
 
-/// Does it?
-inline bool MayImpact(b2Contact *contact) {
-    return MayHaveToi(contact) && (IsActive(BodyA(contact)) || IsActive(BodyB(contact)));
+/// Does Box2D ask for it?
+inline bool IsAskedForToi(b2Contact *contact) {
+    return IsToiCandidate(contact) && (IsActive(BodyA(contact)) || IsActive(BodyB(contact)));
 }
 
 /// A guess of a direction along which the two are apart: the normal that they touch along, or what is
 /// remembered of two polygons. Of unit length, or zero.
-bmr_vec32 GuessDirection(const b2Contact &contact) {
+bmr_vec32 GuessAxis(const b2Contact &contact) {
     const b2Manifold &manifold = *contact.GetManifold();
     b2Vec2 d(0.0f, 0.0f);
     if (manifold.pointCount > 0) {
@@ -170,7 +170,7 @@ void ImpactPass::SearchPair(uint32_t i) {
     m_table->deferred.Settle(i);
     if (!contact->IsEnabled())
         m_table->impacts.disabled.Set(i);
-    else if (MayImpact(contact))
+    else if (IsAskedForToi(contact))
         Queue(i, FindTime(contact));
 }
 
@@ -207,7 +207,7 @@ void ImpactPass::SearchPairAgain(uint32_t i) {
     m_table->deferred.Settle(i);
     if (!contact->IsEnabled())
         m_table->impacts.disabled.Set(i);
-    else if (ContactAccess::CountOfImpacts(contact) <= b2_maxSubSteps && MayImpact(contact))
+    else if (ContactAccess::CountOfImpacts(contact) <= b2_maxSubSteps && IsAskedForToi(contact))
         Queue(i, FindTime(contact));
 }
 
@@ -249,7 +249,7 @@ b2Contact *ImpactPass::EarliestInList(float *time) {
     }
     m_candidates.Begin();
     for (b2Contact *contact = m_manager->m_contactList; contact != nullptr; contact = contact->GetNext()) {
-        if ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0 && !MayHaveToi(contact))
+        if ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0 && !IsToiCandidate(contact))
             continue;
         m_candidates.Add(contact);
         if (IsEarlier(contact, time))
@@ -263,7 +263,7 @@ bool ImpactPass::IsEarlier(b2Contact *contact, float *time) {
     if (!contact->IsEnabled() || ContactAccess::CountOfImpacts(contact) > b2_maxSubSteps)
         return false;
     if ((ContactAccess::Flags(contact) & ContactAccess::kTimeIsKnown) == 0) {
-        if (!MayImpact(contact))
+        if (!IsAskedForToi(contact))
             return false;
         FindTime(contact);
     }
@@ -310,7 +310,7 @@ bool ImpactPass::IsProvedApart(const b2Contact &contact) {
     const bool apart = m_scan->NeverTouch(
         {contact.GetFixtureA(), contact.GetChildIndexA(), SweepOf(*a), a->GetTransform().q},
         {contact.GetFixtureB(), contact.GetChildIndexB(), SweepOf(*b), b->GetTransform().q},
-        GuessDirection(contact), contact.GetManifold()->pointCount > 0);
+        GuessAxis(contact), contact.GetManifold()->pointCount > 0);
     if (apart)
         Count(&Counts::toiAnswered);
     return apart;

@@ -27,11 +27,11 @@ bool MayBeSeed(const b2Body *body) {
 
 /// The number of the body's first link, with kLinked, until the body is in an island. Otherwise it is the
 /// place that the body had in its last island, which Box2D's gear reads.
-int32 &LinkOf(b2Body *body) {
+int32 &FirstLinkOf(b2Body *body) {
     return body->*Named(IslandIndex());
 }
 
-constexpr int32 kLinked = 1 << 30;  ///< this bit is set where LinkOf is the number of a link
+constexpr int32 kLinked = 1 << 30;  ///< this bit is set where FirstLinkOf is the number of a link
 constexpr int32 kSlept = INT32_MIN; ///< and this one where the body slept when contacts were linked
 
 class IslandPass {
@@ -40,7 +40,7 @@ public:
     void Run();
 
 private:
-    void SolveIslands(b2Profile *profile);
+    void BuildIslands(b2Profile *profile);
     void ClearFlags();
     bool Link();
     void LinkTo(b2Body *body, b2Contact *contact, b2Body *other);
@@ -56,7 +56,7 @@ private:
     void AfterGame();
     void Synchronize();
     void PutPlaceBack(b2Body *body);
-    void Follow(b2Body *body);
+    void MoveBoxes(b2Body *body);
 
     b2World *m_world;
     b2ContactManager *m_manager;
@@ -87,14 +87,14 @@ void IslandPass::Run() {
     ClearFlags();
     if (m_table != nullptr)
         m_isLinked = m_mayLink && Link();
-    SolveIslands(&profile);
+    BuildIslands(&profile);
     const b2Timer timer;
     Synchronize();
     FindNewContacts(m_manager);
     profile.broadphase = timer.GetMilliseconds();
 }
 
-void IslandPass::SolveIslands(b2Profile *profile) {
+void IslandPass::BuildIslands(b2Profile *profile) {
     m_solver->Begin(m_step, m_listener, m_mayLink && !IsOfGame(m_listener));
     for (b2Body *seed = NextSeed(nullptr); seed != nullptr; seed = NextSeed(seed))
         if (MayBeSeed(seed))
@@ -116,12 +116,12 @@ void IslandPass::ClearFlags() {
     for (b2Body *body = m_onlyAwake ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         BodyInIsland::Clear(body);
-        LinkOf(body) &= ~(kSlept | kLinked); // Box2D sets no place when it makes a body
+        FirstLinkOf(body) &= ~(kSlept | kLinked); // Box2D sets no place when it makes a body
         if (m_mayLink && body->GetType() != b2_staticBody && !body->IsAwake())
-            LinkOf(body) |= kSlept;
+            FirstLinkOf(body) |= kSlept;
     }
     for (uint32_t i = 0; m_onlyAwake && i < m_table->bodies.AwakeCount(); ++i)
-        LinkOf(m_table->bodies.Awake(i)) &= ~(kSlept | kLinked);
+        FirstLinkOf(m_table->bodies.Awake(i)) &= ~(kSlept | kLinked);
     // (By a table each island clears the marks of its contacts.)
     for (b2Contact *contact = m_table != nullptr ? nullptr : m_manager->m_contactList; contact != nullptr;
          contact = contact->GetNext())
@@ -159,12 +159,12 @@ bool IslandPass::Link() {
 void IslandPass::LinkTo(b2Body *body, b2Contact *contact, b2Body *other) {
     if (body->GetType() == b2_staticBody || !body->IsAwake())
         return;
-    const int32 before = LinkOf(body);
+    const int32 before = FirstLinkOf(body);
     const bool isHead = (before & kLinked) != 0;
     const uint32_t head = isHead ? static_cast<uint32_t>(before & ~kLinked) : kNoLink;
     m_scratch.links[m_linkCount] = {contact, body, other, head,
                                     isHead ? m_scratch.links[head].place : before};
-    LinkOf(body) = static_cast<int32>(m_linkCount++) | kLinked;
+    FirstLinkOf(body) = static_cast<int32>(m_linkCount++) | kLinked;
 }
 
 // Islands.
@@ -191,7 +191,7 @@ void IslandPass::Push(b2Body *body) {
 
 /// The next body of the island. Islands do not go on across static bodies.
 void IslandPass::Take(b2Body *body) {
-    const int32 first = LinkOf(body);
+    const int32 first = FirstLinkOf(body);
     m_solver->Add(body);
     if (body->GetType() == b2_staticBody)
         return;
@@ -277,17 +277,17 @@ void IslandPass::Synchronize() {
     for (b2Body *body = m_onlyAwake ? nullptr : m_world->GetBodyList(); body != nullptr;
          body = body->GetNext()) {
         PutPlaceBack(body);
-        Follow(body);
+        MoveBoxes(body);
     }
     for (uint32_t i = 0; m_onlyAwake && i < m_table->bodies.AwakeCount(); ++i)
-        Follow(m_table->bodies.Awake(i));
+        MoveBoxes(m_table->bodies.Awake(i));
 }
 
 /// Of a body that is in no island: it slept, or PostSolve put it to sleep ahead of its island.
 void IslandPass::PutPlaceBack(b2Body *body) {
     if (body->GetType() == b2_staticBody)
         return;
-    int32 &place = LinkOf(body);
+    int32 &place = FirstLinkOf(body);
     place &= ~kSlept;
     if ((place & kLinked) == 0)
         return;
@@ -297,7 +297,7 @@ void IslandPass::PutPlaceBack(b2Body *body) {
         place = m_scratch.links[link].place;
 }
 
-void IslandPass::Follow(b2Body *body) {
+void IslandPass::MoveBoxes(b2Body *body) {
     if (!BodyInIsland::Is(body) || body->GetType() == b2_staticBody)
         return;
     tree::SynchronizeBoxes(body);

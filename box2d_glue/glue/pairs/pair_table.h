@@ -337,7 +337,7 @@ public:
         RefreshRow(pair.b);
     }
     /// Nothing where the two's boxes were not compared in this pass: one of them has no pair with a proof.
-    std::optional<bool> BoxesOverlap(uint32_t i) const {
+    std::optional<bool> KnownBoxesOverlap(uint32_t i) const {
         const FixtureMotion &a = motions[m_pairs[i].a], &b = motions[m_pairs[i].b];
         if (a.proved == 0 || b.proved == 0 || a.proxy == b2BroadPhase::e_nullProxy ||
             b.proxy == b2BroadPhase::e_nullProxy)

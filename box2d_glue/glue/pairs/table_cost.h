@@ -27,7 +27,7 @@ public:
         --m_restingSteps;
         return false;
     }
-    /// A pass over the table updated so many pairs, and followed so many fixtures. Of `pairs` so many were
+    /// A pass over the table updated so many pairs, and so many fixtures' motions. Of `pairs` so many were
     /// awake.
     void NotePass(uint32_t updates, uint32_t fixtures, uint32_t pairs, uint32_t awake) {
         if (m_triedPasses > 0) { // in the first one every pair is due
@@ -58,7 +58,7 @@ private:
     // times of the testbed's scenes, with every step by the table and with every step by the list.
     static constexpr uint64_t kUpdate =
         3; ///< the table brings a contact up to date, and proves it apart anew
-    static constexpr uint64_t kFixture = 1;          ///< the table follows a fixture
+    static constexpr uint64_t kFixture = 1;          ///< the table updates a fixture's motion
     static constexpr uint64_t kSleepersPerUnit = 4;  ///< Box2D's loop passes over contacts
     static constexpr uint64_t kSearchesPerUnit = 16; ///< each impact is a pass over Box2D's list
     /// Islands and the first search for impacts walk Box2D's list, too. That costs half a unit for each
