@@ -32,8 +32,8 @@ void ReportEvent(const b2Body *bodyA, const b2Body *bodyB, const bmr_event &even
 
 void ReportAnswer(const b2Contact &contact, Answer answer, bool here) {
     Count(&Counts::evaluations);
-    Count(answer < Answer::HandedOver ? &Counts::provedApart : &Counts::handedOver);
-    if (answer >= Answer::HandedOver && here)
+    Count(IsApart(answer) ? &Counts::provedApart : &Counts::handedOver);
+    if (!IsApart(answer) && here)
         Count(&Counts::touchingAnswered);
     if (answer == Answer::Touching)
         Count(&Counts::handedOverTouching);

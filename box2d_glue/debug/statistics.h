@@ -23,7 +23,7 @@ template <typename Number> struct CountsOf {
     Number edgeChecks{0};         ///< remembered edges re-tested
     Number verdictsReused{0};     ///< answers of a body pair given again at the same poses
     Number provedApart{0};        ///< evaluations answered without Box2D
-    Number handedOver{0};         ///< evaluations that needed a manifold
+    Number handedOver{0};         ///< evaluations that needed a manifold, made here or by Box2D
     Number handedOverTouching{0}; ///< of those, because the pair touched at the last update
     Number touchingAnswered{0};   ///< of those handed over, made here instead of by b2CollidePolygons
     Number toiAnswered{0};        ///< times of impact that a step asked for, answered without Box2D
@@ -61,14 +61,18 @@ template <typename Visit, typename... Some> void VisitCounts(const Visit &visit,
     visit("hull_checks", of.hullChecks...);
 }
 
-/// How one evaluation of two polygons was answered. Those before HandedOver needed no manifold.
+/// How one evaluation of two polygons was answered: they are apart, or the exact test, ours or Box2D's, was
+/// handed them, and made their manifold.
 enum class Answer : int32_t {
     ApartByPair,   ///< the kinetic structure of their bodies proves them apart (Options::pairsBy)
     ApartByEdge,   ///< the edge that their contact remembers does; of a big ConvexShape its vertices
     ApartBySearch, ///< an edge, or the direction of a big one, was found, and is remembered from now on
-    HandedOver,    ///< not known to be apart: a manifold was needed
-    Touching       ///< the same, nothing asked: they touched at the last update
+    HandedOver,    ///< not known to be apart
+    Touching       ///< handed over, and nothing asked: they touched at the last update
 };
+inline bool IsApart(Answer answer) {
+    return answer < Answer::HandedOver;
+}
 
 /// Counts an event of these two bodies, and hands it to Options::onEvent. To be called where
 /// Options::statistics is on.

@@ -178,7 +178,7 @@ ProofResult ConvexContact::ResultOf(Answer answer, bool points, const b2Transfor
 void ConvexContact::Fill(b2Manifold *manifold, const b2Transform &xfA, const b2Transform &xfB) {
     const b2Manifold old = m_manifold; // most likely the one that is written
     const Answer answer = Ask(xfA, xfB);
-    if (answer < Answer::HandedOver) {
+    if (IsApart(answer)) {
         manifold->pointCount = 0;
     } else {
         const TwoFixtures two = Two();

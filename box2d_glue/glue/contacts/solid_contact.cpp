@@ -152,7 +152,7 @@ inline void PolygonContact::Fill(b2Manifold *manifold, const b2Transform &xfA, c
     const b2PolygonShape &a = PolygonShapeOf(m_fixtureA), &b = PolygonShapeOf(m_fixtureB);
     const bool here = toNearest && HasCornersOfBox2D(a) && HasCornersOfBox2D(b);
     bool edgeFound = false;
-    if (answer < Answer::HandedOver)
+    if (IsApart(answer))
         manifold->pointCount = 0;
     else if (here)
         edgeFound = Search(manifold, xfA, xfB);
@@ -164,7 +164,7 @@ inline void PolygonContact::Fill(b2Manifold *manifold, const b2Transform &xfA, c
         return;
     if (!hulls) { // else the structure of the two bodies has events
         TakeResult(ResultOf(answer, edgeFound));
-        if (answer < Answer::Touching)
+        if (answer != Answer::Touching)
             Count(&Counts::edgeChecks);
     }
     ReportAnswer(*this, answer, here);
