@@ -162,16 +162,10 @@ void ImpactPass::SearchByTable() {
 }
 
 void ImpactPass::SearchPair(uint32_t i) {
-    if (m_table->OutlastsSweeps(i)) {
+    if (m_table->OutlastsSweeps(i))
         m_table->impacts.noImpact.Set(i);
-        return;
-    }
-    b2Contact *const contact = m_table->Contact(i);
-    m_table->deferred.Settle(i);
-    if (!contact->IsEnabled())
-        m_table->impacts.disabled.Set(i);
-    else if (IsAskedForToi(contact))
-        Queue(i, FindTime(contact));
+    else
+        FindTimeOfPair(i);
 }
 
 /// Ahead of the first impact, where the game may have disabled contacts: a deadline knows nothing of that.
@@ -198,11 +192,11 @@ void ImpactPass::SearchPending() {
             impacts.pending.Clear(i);
             b2Contact *const contact = i < m_table->Count() ? m_table->Contact(i) : nullptr;
             if (contact != nullptr && !impacts.IsKnown(i, contact))
-                SearchPairAgain(i);
+                FindTimeOfPair(i);
         }
 }
 
-void ImpactPass::SearchPairAgain(uint32_t i) {
+void ImpactPass::FindTimeOfPair(uint32_t i) {
     b2Contact *const contact = m_table->Contact(i);
     m_table->deferred.Settle(i);
     if (!contact->IsEnabled())

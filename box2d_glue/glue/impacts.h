@@ -65,7 +65,7 @@ private:
     void SearchPair(uint32_t i);
     void FindDisabled();
     void SearchPending();
-    void SearchPairAgain(uint32_t i);
+    void FindTimeOfPair(uint32_t i);
     void Queue(uint32_t i, float time);
     b2Contact *Earliest(float *time);
 
