@@ -302,4 +302,44 @@ void Collide(b2ContactManager *manager, PairTable *table) {
         resting->cost.NoteList(static_cast<uint32_t>(manager->m_contactCount), awake);
 }
 
+namespace {
+
+/// A contact that ends.
+struct EndingContact : b2Contact {
+    /// Takes it out of all lists, and frees it.
+    static void Destroy(b2ContactManager *manager, b2Contact *contact) {
+        b2Contact *const before = contact->*(&EndingContact::m_prev);
+        b2Contact *const after = contact->*(&EndingContact::m_next);
+        (before != nullptr ? before->*(&EndingContact::m_next) : manager->m_contactList) = after;
+        if (after != nullptr)
+            after->*(&EndingContact::m_prev) = before;
+        Detach(contact->*(&EndingContact::m_nodeA), contact->GetFixtureA()->GetBody());
+        Detach(contact->*(&EndingContact::m_nodeB), contact->GetFixtureB()->GetBody());
+        b2Contact::Destroy(contact, manager->m_allocator);
+        --manager->m_contactCount;
+    }
+
+private:
+    static void Detach(const b2ContactEdge &edge, b2Body *body) {
+        (edge.prev != nullptr ? edge.prev->next : body->*Named(ContactList())) = edge.next;
+        if (edge.next != nullptr)
+            edge.next->prev = edge.prev;
+    }
+};
+
+} // namespace
+
+void EndContact(b2ContactManager *manager, b2Contact *contact) {
+    std::optional<PairTable::Ending> ending;
+    if (PairTable *const table = FindAndSignPairTable(manager))
+        ending.emplace(table, contact);
+    if (manager->m_contactListener != nullptr && contact->IsTouching()) {
+        manager->m_contactListener->EndContact(contact);
+        AskRoundingAgain();
+    }
+    EndingContact::Destroy(manager, contact);
+    if (ending.has_value())
+        ending->Complete();
+}
+
 } // namespace bmr

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "glue/passes.h"
 
-#include <optional>
-
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_contact.h>
 #include <box2d/b2_contact_manager.h>
@@ -20,7 +18,7 @@ namespace bmr {
 
 namespace {
 
-/// A contact that is being made, or ends.
+/// A contact that is being made.
 struct LinkedContact : b2Contact {
     /// nullptr where Box2D has no contacts of these shapes.
     static b2Contact *Create(const b2FixtureProxy &a, const b2FixtureProxy &b, b2BlockAllocator *allocator) {
@@ -48,19 +46,6 @@ struct LinkedContact : b2Contact {
         ++manager->m_contactCount;
     }
 
-    /// Takes it out of all lists, and frees it.
-    static void Destroy(b2ContactManager *manager, b2Contact *contact) {
-        b2Contact *const before = contact->*(&LinkedContact::m_prev), *const after =
-                                                                          contact->*(&LinkedContact::m_next);
-        (before != nullptr ? before->*(&LinkedContact::m_next) : manager->m_contactList) = after;
-        if (after != nullptr)
-            after->*(&LinkedContact::m_prev) = before;
-        Detach(contact->*(&LinkedContact::m_nodeA), contact->GetFixtureA()->GetBody());
-        Detach(contact->*(&LinkedContact::m_nodeB), contact->GetFixtureB()->GetBody());
-        b2Contact::Destroy(contact, manager->m_allocator);
-        --manager->m_contactCount;
-    }
-
 private:
     static bool Joins(const b2ContactEdge &edge, const b2FixtureProxy &a, const b2FixtureProxy &b) {
         if (edge.other != a.fixture->GetBody())
@@ -79,15 +64,10 @@ private:
             list->prev = edge;
         list = edge;
     }
-
-    static void Detach(const b2ContactEdge &edge, b2Body *body) {
-        (edge.prev != nullptr ? edge.prev->next : body->*Named(ContactList())) = edge.next;
-        if (edge.next != nullptr)
-            edge.next->prev = edge.prev;
-    }
 };
 
-/// The client for which b2BroadPhase::UpdatePairs is instantiated.
+/// The client of b2BroadPhase::UpdatePairs, which has a specialisation for it below: so that code of ours may
+/// use the broad phase's private buffers. That one calls Report in the place of AddPair.
 class PairFinder {
 public:
     explicit PairFinder(b2ContactManager *manager) : m_manager(manager), m_table(WholeTable()) {}
@@ -175,19 +155,6 @@ void FindNewContacts(b2ContactManager *manager) {
     manager->m_broadPhase.UpdatePairs(&finder);
     if (PairTable *table = FindPairTable(manager))
         table->CatchUp();
-}
-
-void EndContact(b2ContactManager *manager, b2Contact *contact) {
-    std::optional<PairTable::Ending> ending;
-    if (PairTable *const table = FindAndSignPairTable(manager))
-        ending.emplace(table, contact);
-    if (manager->m_contactListener != nullptr && contact->IsTouching()) {
-        manager->m_contactListener->EndContact(contact);
-        AskRoundingAgain();
-    }
-    LinkedContact::Destroy(manager, contact);
-    if (ending.has_value())
-        ending->Complete();
 }
 
 } // namespace bmr
