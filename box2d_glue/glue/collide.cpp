@@ -283,7 +283,7 @@ void CollidePass::BeforeGame() {
 
 /// The game was called: what was read before may have changed.
 void CollidePass::AfterGame() {
-    if (HasLeft(m_table))
+    if (LeaveIfNotWhole(m_table))
         return;
     m_table->deferred.NoteGame();
     m_table->Distrust();

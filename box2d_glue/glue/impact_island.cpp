@@ -91,7 +91,7 @@ bool ImpactPass::Meet(b2Contact *contact, float time) {
 
 /// The world may have left its table: its list is searched from here on.
 void ImpactPass::CheckTable() {
-    if (m_table != nullptr && HasLeft(m_table))
+    if (m_table != nullptr && LeaveIfNotWhole(m_table))
         m_table = nullptr;
 }
 

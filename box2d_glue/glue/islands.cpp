@@ -76,7 +76,7 @@ private:
 IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
       m_solver(solver), m_listener(m_manager->m_contactListener),
-      m_table(table != nullptr && !HasLeft(table) ? table : nullptr), m_scratch(solver->Scratch()) {
+      m_table(table != nullptr && !LeaveIfNotWhole(table) ? table : nullptr), m_scratch(solver->Scratch()) {
     if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
         m_listener = nullptr;
 }
@@ -260,7 +260,7 @@ void IslandPass::SolveIsland() {
 void IslandPass::AfterGame() {
     m_isLinked = m_isLinked && !m_seedsAreAwake;
     m_seedsAreAwake = m_onlyAwake = false;
-    if (m_table == nullptr || !HasLeft(m_table))
+    if (m_table == nullptr || !LeaveIfNotWhole(m_table))
         return;
     m_table = nullptr;
     m_isLinked = false;

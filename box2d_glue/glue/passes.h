@@ -12,8 +12,9 @@ class b2World;
 struct b2TimeStep;
 
 /// @file
-/// A step, its three passes in their order, and what they call. `table`: the world's table of pairs, with all
-/// its contacts, if the step goes by it; nullptr: the pass goes by Box2D's lists. A world may leave its table
+/// A step, its three passes in their order (Collide, SolveIslands, SolveImpacts), and what these call: the
+/// search for new pairs, and the end of a contact. `table`: the world's table of pairs, with all its
+/// contacts, if the step goes by it; nullptr: the pass goes by Box2D's lists. A world may leave its table
 /// while a pass calls code of the game (LeaveTable). The pass goes on by Box2D's lists then, and so do those
 /// after it.
 
@@ -22,14 +23,14 @@ namespace bmr {
 class IslandSolver;
 class PairTable;
 
-/// b2World::Step, if StepIsOurs. Forces are cleared of the bodies that are awake alone, where it is known
+/// b2World::Step, if ClaimStep. Forces are cleared of the bodies that are awake alone, where it is known
 /// that no other has any.
 void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 positionIterations);
 
-/// Is a step that begins ours, and with it each of its passes? It is Box2D's if the thread does not round to
-/// nearest, is about to end, or is in the midst of another step. Then the world leaves its table; and so
+/// A step begins: is it ours, and with it each of its passes? It is Box2D's if the thread does not round to
+/// nearest, is about to end, or is in the midst of another step. Then the world leaves its table here; and so
 /// does one that is stepped in the midst of its own step, or as a contact of its ends.
-bool StepIsOurs(const b2World &world);
+bool ClaimStep(const b2World &world);
 
 /// b2ContactManager::Collide: the same contacts in the same order, each filtered, destroyed or updated when
 /// Box2D would.

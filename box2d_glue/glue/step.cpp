@@ -52,8 +52,7 @@ PairTable *TableOfStep(b2World *world, b2ContactManager *manager, float seconds)
     PairTable *const table = PairTableForStep(manager);
     if (table == nullptr)
         return nullptr;
-    if (!world->IsLocked() && world->*Named(StepComplete()) && table->cost.NextStepPays() &&
-        table->Follow()) {
+    if (!world->IsLocked() && world->*Named(StepComplete()) && table->cost.CountStep() && table->Follow()) {
         table->seconds = seconds;
         return table;
     }
@@ -63,7 +62,7 @@ PairTable *TableOfStep(b2World *world, b2ContactManager *manager, float seconds)
 
 } // namespace
 
-bool StepIsOurs(const b2World &world) {
+bool ClaimStep(const b2World &world) {
     const b2ContactManager &manager = world.GetContactManager();
     const IslandSolver *const solver = IslandSolver::OfThread();
     const bool isOurs = RoundsToNearest() && solver != nullptr && !solver->isTaken;

@@ -66,7 +66,7 @@ using namespace bmr;
     BMR_FOR_LOADERS(#symbol);
 BMR_HOOKS(BMR_SEEN_BY_LOADERS)
 
-// A step: it starts the library if bmr::Install was not called, and marks the thread as stepping this world.
+// A step. It starts the library if bmr::Install was not called.
 
 void b2World::Step(float timeStep, int32 velocityIterations, int32 positionIterations) {
     StartAtFirstStep();
@@ -78,7 +78,7 @@ void b2World::Step(float timeStep, int32 velocityIterations, int32 positionItera
     const bool passesRun = PassesRun(HookOf::Step);
     if (passesRun && (GetSettings().options.statistics || Verifying()))
         GetCounts().steps.fetch_add(1, std::memory_order_relaxed);
-    if (passesRun && StepIsOurs(*this))
+    if (passesRun && ClaimStep(*this))
         RunStep(this, timeStep, velocityIterations, positionIterations);
     else
         stock::Step(this, timeStep, velocityIterations, positionIterations);

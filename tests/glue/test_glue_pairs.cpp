@@ -348,7 +348,7 @@ int StepsByList(uint32_t updates, uint32_t fixtures, uint32_t awake, int searche
     bmr::TableCost cost;
     int byList = 0;
     for (int step = 0; step < 2000; ++step) {
-        if (!cost.NextStepPays()) {
+        if (!cost.CountStep()) {
             ++byList;
             cost.NoteList(pairs, awake);
             continue;
@@ -380,9 +380,9 @@ TEST_CASE("a world of fewer pairs than a pass costs is stepped by its list; slee
     bmr::TableCost cost;
     for (int pass = 0; pass < 9; ++pass)
         cost.NotePass(kPairs, kPairs, kPairs, kPairs);
-    REQUIRE_FALSE(cost.NextStepPays());
+    REQUIRE_FALSE(cost.CountStep());
     cost.NoteList(kPairs, kPairs);
-    REQUIRE_FALSE(cost.NextStepPays());
+    REQUIRE_FALSE(cost.CountStep());
     cost.NoteList(kPairs, 3);
-    CHECK(cost.NextStepPays());
+    CHECK(cost.CountStep());
 }

@@ -49,9 +49,8 @@ void DropPairTableOfEmpty(const b2ContactManager *manager);
 /// enabled ahead of the game's code.) Passes that are under way go on by Box2D's list, and are as safe as
 /// Box2D's.
 void LeaveTable(const b2ContactManager *manager);
-/// Code of the game ran: has the world left its table? It does so here if contacts were made or ended
-/// unheard.
-inline bool HasLeft(PairTable *table) {
+/// Code of the game ran: the world leaves its table if contacts were made or ended unheard. Has it left?
+inline bool LeaveIfNotWhole(PairTable *table) {
     if (!table->WasLeft() && !table->IsWhole())
         LeaveTable(table->Manager());
     return table->WasLeft();

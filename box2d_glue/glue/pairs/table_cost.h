@@ -20,8 +20,8 @@ inline int CostOfAPass() {
 /// Both ways are counted, so that a game is stepped in the same way wherever it runs.
 class TableCost {
 public:
-    /// To be asked once a step.
-    bool NextStepPays() {
+    /// A step begins. Is it to go by the table? It is not while the table rests, for so many steps.
+    bool CountStep() {
         if (m_restingSteps == 0 || WorksEverywhere())
             return true;
         --m_restingSteps;
