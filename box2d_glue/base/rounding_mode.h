@@ -52,7 +52,7 @@ inline bool TrapsAreSet() {
 #endif
 
 /// Does this thread's step round to nearest? It is asked as the step begins, and behind each call of the
-/// game's code. False outside of steps, and in programs without the shared library.
+/// game's code. False outside of steps that are ours.
 inline bool &StepIsToNearest() {
     static thread_local bool nearest = false;
     return nearest;

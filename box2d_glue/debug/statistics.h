@@ -17,7 +17,7 @@ namespace bmr {
 /// What has been done since the process began, summed over all worlds and threads. Written only where
 /// Options::statistics asks for it; steps, verified and differences in Mode::Verify too.
 template <typename Number> struct CountsOf {
-    Number steps{0}; ///< calls of b2World::Step (seen by the shared library alone)
+    Number steps{0}; ///< calls of b2World::Step
     /// Times Box2D asked for a manifold of two polygons, or of a big ConvexShape with anything.
     Number evaluations{0};
     Number edgeChecks{0};         ///< remembered edges re-tested

@@ -4,8 +4,8 @@
 
 /// @file
 /// The hooks: Box2D's functions that the plugin stands in front of. A hook is named here, where it is defined
-/// (plugin/hooks), and where Box2D's own is renamed (plugin/renamed). All else is made of this list:
-/// the names by which hooks call Box2D's own (bmr::stock), the symbols (CMake reads them here),
+/// (plugin/hooks), and, if a `#define` does not rename Box2D's own, in plugin/renamed. All else is made of
+/// this list: the names by which hooks call Box2D's own (bmr::stock), the symbols (CMake reads them here),
 /// what the trial step has to hear (HookOf), and what boomerang_accelerate looks for in Box2D's sources.
 ///
 ///     HOOK(name, function, symbol, heard, result, parameters, renamed)

@@ -35,7 +35,7 @@ extern Settings settings;
 /// The state that each hook reads first. Stored with release order when the settings are made.
 enum class State : uint8_t {
     Nothing,  ///< so it is until the library has started, and in Mode::Off
-    Watching, ///< Install finds out which hooks are called (recognise.h)
+    Watching, ///< Install finds out which hooks are called (recognise.cpp)
     PassesRun ///< contacts and steps are ours
 };
 extern std::atomic<State> state;
