@@ -67,12 +67,9 @@ bmr_vec32 GuessAxis(const b2Contact &contact) {
 
 ImpactPass::ImpactPass(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
-      m_solver(solver), m_listener(m_manager->m_contactListener),
+      m_solver(solver), m_listener(PostSolveListener(m_manager->m_contactListener)),
       m_table(table != nullptr && !LeaveIfNotWhole(table) ? table : nullptr),
-      m_candidates(world, &solver->Scratch().toiCandidates) {
-    if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
-        m_listener = nullptr;
-}
+      m_candidates(world, &solver->Scratch().toiCandidates) {}
 
 void ImpactPass::Run() {
     bool &stepComplete = m_world->*Named(StepComplete());

@@ -99,7 +99,7 @@ private:
     b2ContactManager *m_manager;
     const b2TimeStep &m_step;
     IslandSolver *m_solver;
-    b2ContactListener *m_listener; ///< its PostSolve is called, unless it is nullptr
+    b2ContactListener *m_listener; ///< of PostSolve
     PairTable *m_table;            ///< nullptr: Box2D's list is searched
     ToiCandidates m_candidates;
     ImpactScan *m_scan = nullptr; ///< of the search; nullptr: Box2D answers

@@ -62,7 +62,7 @@ private:
     b2ContactManager *m_manager;
     const b2TimeStep &m_step;
     IslandSolver *m_solver;
-    b2ContactListener *m_listener; ///< its PostSolve is called, unless it is nullptr
+    b2ContactListener *m_listener; ///< of PostSolve
     PairTable *m_table;            ///< nullptr: the world has none, or has left it
     IslandScratch &m_scratch;
     uint32_t m_stackCount = 0, m_linkCount = 0;
@@ -75,11 +75,8 @@ private:
 
 IslandPass::IslandPass(b2World *world, const b2TimeStep &step, IslandSolver *solver, PairTable *table)
     : m_world(world), m_manager(const_cast<b2ContactManager *>(&world->GetContactManager())), m_step(step),
-      m_solver(solver), m_listener(m_manager->m_contactListener),
-      m_table(table != nullptr && !LeaveIfNotWhole(table) ? table : nullptr), m_scratch(solver->Scratch()) {
-    if (m_listener != nullptr && !HasOwnPostSolve(*m_listener))
-        m_listener = nullptr;
-}
+      m_solver(solver), m_listener(PostSolveListener(m_manager->m_contactListener)),
+      m_table(table != nullptr && !LeaveIfNotWhole(table) ? table : nullptr), m_scratch(solver->Scratch()) {}
 
 void IslandPass::Run() {
     b2Profile &profile = m_world->*Named(Profile());

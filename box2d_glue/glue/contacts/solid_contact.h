@@ -269,6 +269,10 @@ inline bool HasOwnPreSolve(const b2ContactListener &listener) {
 inline bool HasOwnPostSolve(const b2ContactListener &listener) {
     return HasOwn(listener, 5);
 }
+/// The listener if its PostSolve is to be called, else nullptr.
+inline b2ContactListener *PostSolveListener(b2ContactListener *listener) {
+    return listener != nullptr && HasOwnPostSolve(*listener) ? listener : nullptr;
+}
 
 /// Do bodies, joints and the game's filter let the two collide?
 inline bool PassesFilters(const b2ContactManager *manager, b2Fixture *fixtureA, b2Fixture *fixtureB) {

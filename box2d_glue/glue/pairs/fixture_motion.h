@@ -52,11 +52,10 @@ struct alignas(64) FixtureMotion {
     int32 proxy;       ///< b2BroadPhase::e_nullProxy where it has none or several: then there is no box here
     b2Transform place; ///< of the body, at the last update
     bool sound;        ///< a polygon as Box2D makes them: its vertices tell all
-    uint8_t
-        band; ///< how far out it is (glue/proofs/thresholds.h): as far as this, or less; kBands: beyond all
-    uint32_t late;    ///< units that were added in the middle of the present pass
-    uint64_t sweptAt; ///< the table's stamp when its sweep was last compared
-    uint64_t endedAt; ///< the same for how far that may come
+    uint8_t band;      ///< how far out it is at most (glue/proofs/thresholds.h); kBands: beyond all
+    uint32_t late;     ///< units that were added in the middle of the present pass
+    uint64_t sweptAt;  ///< the table's stamp when its sweep was last compared
+    uint64_t endedAt;  ///< the same for how far that may come
 
     /// No point of it is farther from its body's origin.
     double Extent() const { return mover.reach + std::fabs(mover.pivot.x) + std::fabs(mover.pivot.y); }
@@ -70,10 +69,9 @@ enum MotionBit : uint8_t {
     kBulletOrStatic = 2, ///< its body is a bullet, or not dynamic: nothing is to tunnel through it
     kIsSensor = 4,       ///< as the fixture says
     kNoBudget = 8,       ///< for its contacts: no polygon, a broken one, or farther out than all bands
-    kChanged =
-        16, ///< another shape than at the update before, or another band: lines of its pairs prove nothing
-    kChangedLate = 32, ///< the same, seen in the middle of a pass: to be said again in the next one
-    kUpdated = 64      ///< since the last pass over pairs began
+    kChanged = 16,       ///< its shape or its band, since the update before: lines of its pairs prove nothing
+    kChangedLate = 32,   ///< the same, seen in the middle of a pass: to be said again in the next one
+    kUpdated = 64        ///< since the last pass over pairs began
 };
 
 /// The rows of one world. Rows are numbered; a number is used again when the last contact of a fixture is

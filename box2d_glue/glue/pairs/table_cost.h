@@ -56,10 +56,9 @@ public:
 private:
     // The unit is what Box2D's loop does for a contact of a body that is awake. The rest was fitted to the
     // times of the testbed's scenes, with every step by the table and with every step by the list.
-    static constexpr uint64_t kUpdate =
-        3; ///< the table brings a contact up to date, and proves it apart anew
-    static constexpr uint64_t kFixture = 1;          ///< the table updates a fixture's motion
-    static constexpr uint64_t kSleepersPerUnit = 4;  ///< Box2D's loop passes over contacts
+    static constexpr uint64_t kUpdate = 3;          ///< the table updates a contact, and proves it apart anew
+    static constexpr uint64_t kFixture = 1;         ///< the table updates a fixture's motion
+    static constexpr uint64_t kSleepersPerUnit = 4; ///< Box2D's loop passes over contacts
     static constexpr uint64_t kSearchesPerUnit = 16; ///< each impact is a pass over Box2D's list
     /// Islands and the first search for impacts walk Box2D's list, too. That costs half a unit for each
     /// contact. A world of more contacts than this does not stay in the processor's caches, and the walks
