@@ -61,8 +61,7 @@ template <typename Visit, typename... Some> void VisitCounts(const Visit &visit,
     visit("hull_checks", of.hullChecks...);
 }
 
-/// How one evaluation of two polygons was answered: they are apart, or the exact test, ours or Box2D's, was
-/// handed them, and made their manifold.
+/// How an evaluation of two polygons was answered: apart; or by the exact test, ours or Box2D's.
 enum class Answer : int32_t {
     ApartByPair,   ///< the kinetic structure of their bodies proves them apart (Options::pairsBy)
     ApartByEdge,   ///< the edge that their contact remembers does; of a big ConvexShape its vertices

@@ -141,8 +141,7 @@ void CollidePass::Visit(uint32_t i) {
     const bool hasProof = (m_table->Bits(i) & kHasProof) != 0;
     if (!hasProof)
         m_table->Refresh(i);
-    // A contact that is flagged for filtering loses its proof (PairTable::Flag), and GiveDeadline gives it
-    // none.
+    // A contact that is flagged for filtering has no proof: PairTable::Flag ends it, GiveDeadline makes none.
     if (!hasProof && ContactAccess::WantsFiltering(*contact)) {
         const bool passes = PassesFilter(contact);
         if (!passes) {
@@ -266,10 +265,9 @@ void CollidePass::GiveDeadline(uint32_t i, b2Contact *contact) {
     m_table->Refresh(i);
     m_table->SetTouching(i, contact->IsTouching());
     SolidContact *ours = SolidContact::AsOurs(contact);
-    if (ours != nullptr && ours->IsOfPolygons() && !contact->IsTouching() &&
-        contact->GetManifold()->pointCount == 0 && !ContactAccess::WantsFiltering(*contact))
-        ProveApart(m_table, i, ours);
-    else
+    const bool isApart = ours != nullptr && ours->IsOfPolygons() && !contact->IsTouching() &&
+                         contact->GetManifold()->pointCount == 0 && !ContactAccess::WantsFiltering(*contact);
+    if (!isApart || !ProveApart(m_table, i, ours))
         m_table->SetDue(i);
 }
 

@@ -122,26 +122,22 @@ double ExpectedMotion(const FixtureMotion &motion, float seconds) {
 
 } // namespace
 
-void ProveApart(PairTable *table, uint32_t pair, SolidContact *contact) {
+bool ProveApart(PairTable *table, uint32_t pair, SolidContact *contact) {
     constexpr double kFatBoxes = 6.0 * static_cast<double>(b2_aabbExtension);
     const FixtureMotion &motionA = table->motions[table->At(pair).a],
                         &motionB = table->motions[table->At(pair).b];
     // So much is to be left beyond the proof. Of two that come nearer faster than this none is worth it.
     const double soon =
         2.0 * (ExpectedMotion(motionA, table->seconds) + ExpectedMotion(motionB, table->seconds));
-    if (!(soon <= kFatBoxes && table->BeginProof(pair))) {
-        table->SetDue(pair);
-        return;
-    }
+    if (!(soon <= kFatBoxes && table->BeginProof(pair)))
+        return false;
     const Placed a(motionA), b(motionB);
     const double threshold = ApartThreshold(*table, pair);
     bmr_vec2 d = contact->GuessDirection();
     if (!Normalize(&d)) {
         d = bmr_sub(motionB.mover.center, motionA.mover.center);
-        if (!Normalize(&d)) {
-            table->SetDue(pair);
-            return;
-        }
+        if (!Normalize(&d))
+            return false;
     }
     Gap best = GapAlong(a, b, d);
     bmr_vec2 closer = best.between;
@@ -152,14 +148,13 @@ void ProveApart(PairTable *table, uint32_t pair, SolidContact *contact) {
         if (other.gap > best.gap)
             best = other;
     }
-    if (!(best.gap > threshold + soon)) {
-        table->SetDue(pair);
-        return;
-    }
+    if (!(best.gap > threshold + soon))
+        return false;
     const int band = table->motions.Band(table->At(pair).a, table->At(pair).b);
     table->Prove(pair, best.d, best.gap, threshold, KeepsFromImpact(motionA, motionB, band, threshold));
     if (GetSettings().options.statistics)
         contact->LeaveByLine();
+    return true;
 }
 
 bool SeparatesAlong(const b2Fixture &a, const b2Fixture &b, bmr_vec2 d) {

@@ -22,12 +22,12 @@ inline double ApartThreshold(const PairTable &table, uint32_t pair) {
 
 /// A contact was updated, and its two polygons do not touch: gives its pair the budget that their distance
 /// allows, along the direction that is known already (the remembered edge's, that of a big polygon's memory,
-/// that of the bodies' structure), or along one that is found from there in a step. Leaves the pair due where
-/// that is no more than the margins.
+/// that of the bodies' structure), or along one that is found from there in a step. False where that is no
+/// more than the margins: call SetDue then.
 ///
 /// What is proved is a distance of the vertices as they are, computed in double, so that it does not matter
 /// where the direction came from.
-void ProveApart(PairTable *table, uint32_t pair, SolidContact *contact);
+bool ProveApart(PairTable *table, uint32_t pair, SolidContact *contact);
 
 /// Is polygon b beyond polygon a along this direction, of any length, where their bodies are?
 bool SeparatesAlong(const b2Fixture &a, const b2Fixture &b, bmr_vec2 d);

@@ -40,8 +40,7 @@ namespace bmr {
 /// So its events are (start (push | stab | coarsen)*)? (contact leave (push | stab | coarsen)*)*, cut
 /// off anywhere.
 
-/// The certificate that keeps a contact's polygons apart, as its events name it. Kept for events alone: no
-/// answer depends on it.
+/// The certificate that keeps a contact's polygons apart. For its events alone: no answer depends on it.
 enum class CertificateState : uint8_t {
     None,   ///< nothing was found yet
     Coarse, ///< level -1
