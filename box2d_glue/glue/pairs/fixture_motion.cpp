@@ -77,8 +77,6 @@ bool SamePlace(const b2Transform &a, const b2Transform &b) {
     return a.p.x == b.p.x && a.p.y == b.p.y && a.q.s == b.q.s && a.q.c == b.q.c;
 }
 
-constexpr uint32_t kBodiesAhead = 8;
-
 constexpr double kReachRoundedUp = 1.0 + 0x1p-40;
 
 } // namespace
@@ -298,8 +296,9 @@ void FixtureMotions::FindSweepBits(uint32_t row, uint64_t stamp) {
 }
 
 void FixtureMotions::UpdateAllSweeps(uint64_t stamp) {
+    constexpr uint32_t kAhead = 8;
     for (uint32_t row = 0; row < m_count; ++row) {
-        PrefetchBody(row + kBodiesAhead);
+        Prefetch(row + kAhead);
         if (m_rows[row].pairs == 0)
             continue;
         FindSweepBits(row, stamp);

@@ -160,18 +160,9 @@ public:
         BMR_PREFETCH(m_rows[row].body);
         BMR_PREFETCH(m_rows[row].fixture);
     }
-    void PrefetchBody(uint32_t row) const {
-        if (row < m_count)
-            BMR_PREFETCH(m_rows[row].body);
-    }
     void PrefetchShape(uint32_t row) const {
-        constexpr uintptr_t kLine = 64;
-        if (row >= m_count || m_rows[row].proved == 0)
-            return;
-        const uintptr_t shape = reinterpret_cast<uintptr_t>(m_rows[row].fixture->GetShape());
-        for (uintptr_t line = 0; line < 3; ++line)
-            BMR_PREFETCH(
-                reinterpret_cast<const void *>(shape + line * kLine)); // NOLINT(performance-no-int-to-ptr)
+        if (row < m_count && m_rows[row].proved > 0)
+            PrefetchLines(m_rows[row].fixture->GetShape(), 3);
     }
 
 private:

@@ -38,15 +38,8 @@ struct ContactNumber : b2Contact {
     }
 
     /// A contact takes four cache lines, and the next one in a list need not be the next in memory. At the
-    /// list's end `contact` is nullptr, which does no harm: addresses are numbers here, because a pointer
-    /// must not be moved from nullptr.
-    static void Prefetch(const b2Contact *contact) {
-        constexpr uintptr_t kLine = 64;
-        const uintptr_t first = reinterpret_cast<uintptr_t>(contact);
-        for (uintptr_t line = 0; line < 4; ++line)
-            BMR_PREFETCH(
-                reinterpret_cast<const void *>(first + line * kLine)); // NOLINT(performance-no-int-to-ptr)
-    }
+    /// list's end `contact` is nullptr.
+    static void Prefetch(const b2Contact *contact) { PrefetchLines(contact, 4); }
 };
 
 /// The bits of a pair.
