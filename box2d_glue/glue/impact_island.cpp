@@ -53,10 +53,8 @@ void ImpactPass::PutBack(b2Body *body, const b2Sweep &sweep) {
 /// they were.
 bool ImpactPass::Meet(b2Contact *contact, float time) {
     m_wasGameCalled = false;
-    if (m_table != nullptr) {
-        FindDisabled();
+    if (m_table != nullptr)
         m_table->bodies.NoteDisplaced();
-    }
     b2Body *const a = contact->GetFixtureA()->GetBody(), *const b = contact->GetFixtureB()->GetBody();
     const b2Sweep sweepA = SweepOf(*a), sweepB = SweepOf(*b);
     (a->*Named(AdvanceBody()))(time);

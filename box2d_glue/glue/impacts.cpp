@@ -76,7 +76,7 @@ void ImpactPass::Run() {
     BeginScan();
     if (stepComplete)
         BeginStep();
-    for (;;) {
+    for (bool isFirst = true;; isFirst = false) {
         float time = 1.0f;
         b2Contact *const contact = m_table != nullptr ? Earliest(&time) : EarliestInList(&time);
         if (contact == nullptr || 1.0f - 10.0f * b2_epsilon < time) {
@@ -85,6 +85,8 @@ void ImpactPass::Run() {
         }
         if (PairTable *const table = FindPairTable(m_manager))
             table->cost.NoteSearch();
+        if (isFirst && m_table != nullptr && m_table->deferred.GameRan())
+            FindDisabled();
         const bool met = Meet(contact, time);
         if (m_table != nullptr)
             ReadWhatGameDid();
@@ -167,10 +169,6 @@ void ImpactPass::SearchPair(uint32_t i) {
 
 /// Ahead of the first impact, where the game may have disabled contacts: a deadline knows nothing of that.
 void ImpactPass::FindDisabled() {
-    const bool isFirst = !m_hasMet;
-    m_hasMet = true;
-    if (!isFirst || !m_table->deferred.GameRan())
-        return;
     ImpactTimes &impacts = m_table->impacts;
     for (uint32_t i = 0; i < m_table->Count(); ++i)
         if (m_table->Contact(i) != nullptr && impacts.noImpact.Has(i) && !m_table->Contact(i)->IsEnabled()) {

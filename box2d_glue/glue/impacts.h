@@ -104,7 +104,6 @@ private:
     ToiCandidates m_candidates;
     ImpactScan *m_scan = nullptr; ///< of the search; nullptr: Box2D answers
     bool m_wasGameCalled = false; ///< since the impact began
-    bool m_hasMet = false;        ///< this is not the first impact
 };
 
 } // namespace bmr
