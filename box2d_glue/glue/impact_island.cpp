@@ -39,7 +39,7 @@ void ImpactPass::BeforeGame() {
     m_candidates.Forget();
     if (m_table == nullptr)
         return;
-    if (!m_table->deferred.GameRan()) // else BeginSearch has read them
+    if (!m_table->deferred.GameRan()) // else BeginSearch has, or this
         m_table->motions.UpdateAllSweeps(m_table->Stamp());
     m_table->deferred.BeforeGame();
 }

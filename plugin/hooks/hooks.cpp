@@ -94,7 +94,7 @@ void b2ContactManager::FindNewContacts() {
         stock::FindNewContacts(this);
 }
 
-// What ends. A contact's record goes with it, and a world's table with the world.
+// What ends. A contact's pair goes with it, and a world's table with the world.
 
 void b2ContactManager::Destroy(b2Contact *contact) {
     if (!PassesRun(HookOf::Destroy)) {

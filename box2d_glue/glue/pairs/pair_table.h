@@ -310,8 +310,8 @@ public:
 
     // A pass over all pairs, newest first.
 
-    /// Compares each fixture that has a proof with what it was, and counts those of bodies that are awake.
-    /// Awakens the pairs of all that woke.
+    /// Compares each fixture that has a proof with what it was, and returns how many of these have a body
+    /// that is awake. Awakens the pairs of all bodies that woke.
     uint32_t UpdateMotions();
     /// Of the 64 pairs of this word, a bit each for those that are due. Good until code of the game runs, or
     /// a body wakes.
@@ -412,7 +412,7 @@ public:
     class Hold {
     public:
         explicit Hold(PairTable *table) : m_table(table) { ++table->m_holds; }
-        ~Hold();
+        ~Hold(); // (pair_tables.cpp: a table whose world has ended goes with its last hold)
         Hold(const Hold &) = delete;
         Hold &operator=(const Hold &) = delete;
         void Complete() { m_complete = true; }
