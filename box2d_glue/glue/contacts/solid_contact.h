@@ -290,9 +290,9 @@ inline bool BoxesOverlap(const b2ContactManager &manager, const b2Contact &conta
         FixtureAccess::ProxyOf(contact.GetFixtureB(), contact.GetChildIndexB()));
 }
 
-/// The calls of b2Contact::Update. `beforeGame()` is called ahead of each one that runs code of the game. Was
-/// there any? `listener`: of the moment ahead of the update. If it replaces itself in BeginContact, PreSolve
-/// is still its own.
+/// The calls of b2Contact::Update. `beforeGame()` is called ahead of them if they run code of the game. Do
+/// they? `listener`: of the moment ahead of the update. If it replaces itself in BeginContact, PreSolve is
+/// still its own.
 template <typename BeforeGame>
 bool CallListener(b2ContactListener *listener, b2Contact *contact, const ContactChange &change,
                   BeforeGame beforeGame) {
@@ -302,22 +302,14 @@ bool CallListener(b2ContactListener *listener, b2Contact *contact, const Contact
     if (change.touched == change.touches && !preSolves)
         return false;
     const bool isOfGame = IsOfGame(listener);
-    const auto before = [&] {
-        if (isOfGame)
-            beforeGame();
-    };
-    if (change.touches && !change.touched) {
-        before();
+    if (isOfGame)
+        beforeGame();
+    if (change.touches && !change.touched)
         listener->BeginContact(contact);
-    }
-    if (change.touched && !change.touches) {
-        before();
+    if (change.touched && !change.touches)
         listener->EndContact(contact);
-    }
-    if (preSolves) {
-        before();
+    if (preSolves)
         listener->PreSolve(contact, &change.old);
-    }
     AskRoundingAgain();
     return isOfGame;
 }
