@@ -328,16 +328,13 @@ private:
 } // namespace
 
 void EndContact(b2ContactManager *manager, b2Contact *contact) {
-    std::optional<PairTable::Ending> ending;
-    if (PairTable *const table = FindAndSignPairTable(manager))
-        ending.emplace(table, contact);
+    PairTable::Ending ending(FindAndSignPairTable(manager), contact);
     if (manager->m_contactListener != nullptr && contact->IsTouching()) {
         manager->m_contactListener->EndContact(contact);
         AskRoundingAgain();
     }
     EndingContact::Destroy(manager, contact);
-    if (ending.has_value())
-        ending->Complete();
+    ending.Complete();
 }
 
 } // namespace bmr

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "glue/passes.h"
 
-#include <optional>
-
 #include <box2d/b2_contact_manager.h>
 #include <box2d/b2_time_step.h>
 #include <box2d/b2_timer.h>
@@ -89,9 +87,7 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
         next();
     }
     PairTable *const table = TableOfStep(world, &manager, seconds);
-    std::optional<PairTable::Hold> hold;
-    if (table != nullptr)
-        hold.emplace(table);
+    PairTable::Hold hold(table);
     world->*Named(Locked()) = true;
     const bool advances = seconds > 0.0f;
     b2TimeStep step;
@@ -117,8 +113,7 @@ void RunStep(b2World *world, float seconds, int32 velocityIterations, int32 posi
     if (world->GetAutoClearForces())
         ClearForces(world, table);
     world->*Named(Locked()) = false;
-    if (hold.has_value())
-        hold->Complete();
+    hold.Complete();
     profile.step = whole.GetMilliseconds();
 }
 

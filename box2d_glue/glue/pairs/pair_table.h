@@ -407,11 +407,14 @@ public:
     /// on by Box2D's list.
     bool WasLeft() const { return m_left; }
 
-    /// A step holds the table from its first pass to its last: numbers stay as they are. If an exception of
-    /// the game's ends the step, the world leaves the table.
+    /// A step holds the table, if it has one, from its first pass to its last: numbers stay as they are. If
+    /// an exception of the game's ends the step, the world leaves the table.
     class Hold {
     public:
-        explicit Hold(PairTable *table) : m_table(table) { ++table->m_holds; }
+        explicit Hold(PairTable *table) : m_table(table) {
+            if (table != nullptr)
+                ++table->m_holds;
+        }
         ~Hold(); // (pair_tables.cpp: a table whose world has ended goes with its last hold)
         Hold(const Hold &) = delete;
         Hold &operator=(const Hold &) = delete;
@@ -428,7 +431,8 @@ public:
     class Ending : private Hold {
     public:
         Ending(PairTable *table, const b2Contact *contact)
-            : Hold(table), m_contact(contact), m_number(table->FindNumber(contact)) {}
+            : Hold(table), m_contact(contact),
+              m_number(table != nullptr ? table->FindNumber(contact) : kNone) {}
         void Complete();
 
     private:

@@ -201,6 +201,8 @@ void LeaveTable(const b2ContactManager *manager) {
 }
 
 PairTable::Hold::~Hold() {
+    if (m_table == nullptr)
+        return;
     if (!m_complete && !m_table->WasLeft())
         LeaveTable(m_table->m_manager);
     auto *const entry = static_cast<Entry *>(m_table);
@@ -209,7 +211,7 @@ PairTable::Hold::~Hold() {
 }
 
 void PairTable::Ending::Complete() {
-    if (!m_table->WasLeft() && m_number != kNone && m_table->m_contacts[m_number] == m_contact)
+    if (m_number != kNone && !m_table->WasLeft() && m_table->m_contacts[m_number] == m_contact)
         m_table->Remove(m_number);
     Hold::Complete();
 }
