@@ -155,16 +155,13 @@ void ImpactPass::SearchByTable() {
         for (uint64_t left = m_table->ToSearch(word); left != 0;) {
             const uint32_t bit = HighestBit(left), i = word * 64 + bit;
             left &= ~(uint64_t{1} << bit);
-            if (i < m_table->Count() && m_table->Contact(i) != nullptr && m_table->MayImpact(i))
-                SearchPair(i);
+            if (i >= m_table->Count() || m_table->Contact(i) == nullptr || !m_table->MayImpact(i))
+                continue;
+            if (m_table->OutlastsSweeps(i))
+                impacts.noImpact.Set(i);
+            else
+                FindTimeOfPair(i);
         }
-}
-
-void ImpactPass::SearchPair(uint32_t i) {
-    if (m_table->OutlastsSweeps(i))
-        m_table->impacts.noImpact.Set(i);
-    else
-        FindTimeOfPair(i);
 }
 
 /// Ahead of the first impact, where the game may have disabled contacts: a deadline knows nothing of that.

@@ -62,7 +62,6 @@ private:
     void BeginBodies();
 
     void SearchByTable();
-    void SearchPair(uint32_t i);
     void FindDisabled();
     void SearchPending();
     void FindTimeOfPair(uint32_t i);
