@@ -9,7 +9,7 @@
 #include "base/compiler.h"
 #include "base/private_members.h"
 #include "debug/statistics.h"
-#include "glue/contacts/solid_contact.h"
+#include "glue/contacts/game_calls.h"
 #include "glue/pairs/pair_tables.h"
 #include "glue/prove_apart.h"
 #include "start/settings.h"
@@ -17,6 +17,13 @@
 namespace bmr {
 
 namespace {
+
+/// Do the fat boxes of the two still overlap?
+inline bool BoxesOverlap(const b2ContactManager &manager, const b2Contact &contact) {
+    return manager.m_broadPhase.TestOverlap(
+        FixtureAccess::ProxyOf(contact.GetFixtureA(), contact.GetChildIndexA()),
+        FixtureAccess::ProxyOf(contact.GetFixtureB(), contact.GetChildIndexB()));
+}
 
 /// Brings one contact up to date; false where it is to be destroyed. Counts those of awake bodies.
 inline bool Persists(b2ContactManager *manager, b2Contact *contact, uint32_t *awake) {

@@ -9,7 +9,7 @@
 #include "base/memory.h"
 #include "base/private_members.h"
 #include "debug/verify.h"
-#include "glue/contacts/solid_contact.h"
+#include "glue/contacts/game_calls.h"
 #include "glue/pairs/pair_tables.h"
 #include "start/settings.h"
 #include "tree/pair_descent.h"

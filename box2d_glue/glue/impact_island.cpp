@@ -5,7 +5,7 @@
 #include <box2d/b2_fixture.h>
 
 #include "base/private_members.h"
-#include "glue/contacts/solid_contact.h"
+#include "glue/contacts/game_calls.h"
 #include "glue/impacts.h"
 #include "glue/pairs/pair_tables.h"
 #include "glue/passes.h"

@@ -8,7 +8,7 @@
 #include <box2d/b2_world.h>
 
 #include "base/rounding_mode.h"
-#include "glue/contacts/solid_contact.h"
+#include "glue/contacts/game_calls.h"
 #include "glue/pairs/pair_tables.h"
 #include "glue/proofs/convex_distance.h"
 #include "glue/proofs/sweep_apart.h"

@@ -7,7 +7,7 @@
 #include <box2d/b2_joint.h>
 #include <box2d/b2_timer.h>
 
-#include "glue/contacts/solid_contact.h"
+#include "glue/contacts/game_calls.h"
 #include "glue/pairs/pair_tables.h"
 #include "solver/island_solver.h"
 #include "tree/edit.h"

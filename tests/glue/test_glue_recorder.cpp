@@ -5,7 +5,7 @@
 
 #include "boomerang/contact_recorder.h"
 #include "cases.h"
-#include "glue/contacts/solid_contact.h"
+#include "glue/contacts/game_calls.h"
 #include "small_world.h"
 
 namespace {
