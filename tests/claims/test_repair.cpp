@@ -372,8 +372,12 @@ TEST_CASE("garbage becomes outlines, and nothing changes sides that is farther t
         const bmr_error error = MergeOutlines(drawn.data(), drawn.size(), rule, snap, &made);
         REQUIRE((error == BMR_OK || error == BMR_ERROR_TOO_FEW_POINTS));
         outlines += made.size();
-        for (const Outline &outline : made)
-            REQUIRE(Decomposes(outline));
+        // (It is cut where it is one, and that takes most of the time.)
+        for (const Outline &outline : made) {
+            const bmr_rings rings = outline.GetRings();
+            REQUIRE(bmr_outline_check(&rings, nullptr, nullptr) == BMR_OK);
+            REQUIRE((n % 4 != 0 || Decomposes(outline)));
+        }
         for (int i = 0; i < 40; ++i) {
             const Outline &near = drawn[Below(&random, drawn.size())];
             bmr_vec2 p = near.points[Below(&random, near.points.size())];
