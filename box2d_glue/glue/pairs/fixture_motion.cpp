@@ -130,7 +130,6 @@ uint32_t FixtureMotions::Acquire(const b2Fixture *fixture, const b2BroadPhase &b
     motion.body = fixture->GetBody();
     motion.pairs = 1;
     motion.proxy = ProxyOf(fixture);
-    m_ends[row] = 0;
     m_sweepBits[row] = kBulletOrStatic; // as far as is known
     m_changeable[row] = 0;
     m_moved[row] = 0;
