@@ -185,7 +185,8 @@ AS_STOCK("two hundred worlds at once are not mixed up, in whatever order they en
     Game game(run);
     b2PolygonShape square;
     square.SetAsBox(0.5f, 0.5f);
-    const auto live = [&game, &square] {
+    bool tells = true; // of the first time: how often they live may differ
+    const auto live = [&game, &square, &tells] {
         std::vector<std::unique_ptr<b2World>> worlds;
         for (int i = 0; i < 200; ++i) {
             worlds.push_back(std::make_unique<b2World>(b2Vec2(0.0f, -10.0f)));
@@ -199,6 +200,8 @@ AS_STOCK("two hundred worlds at once are not mixed up, in whatever order they en
         for (int left = 200; left > 0; left -= 40) {
             for (const auto &world : worlds) {
                 world->Step(1.0f / 60.0f, 8, 3);
+                if (!tells)
+                    continue;
                 game.hash.Begin("world", static_cast<uint64_t>(world->GetContactCount()));
                 game.hash.Field("height", world->GetBodyList()->GetPosition().y);
             }
@@ -206,6 +209,8 @@ AS_STOCK("two hundred worlds at once are not mixed up, in whatever order they en
                 worlds.erase(worlds.begin() + (i * 37) % (left - i));
         }
     };
+    live();
+    tells = false;
     game.Stage(LeavesNothing(200, live), "no growth");
     game.WriteDown();
 }
