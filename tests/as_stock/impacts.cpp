@@ -234,23 +234,34 @@ AS_STOCK("enabled: a listener disables a contact ahead of its impact, and enable
     }
 }
 
-// No search of the steps before asked about the two, which no bullet was among.
+// No search of the steps before asked about the two, which no bullet was among. The filter is asked behind
+// the islands, about the shot and a box that it comes to in this step.
 AS_STOCK(
-    "bullet: a listener makes a bullet of a box in the loop over contacts, and throws it at another box") {
-    Heard game(run);
-    for (int i = 0; i < 60; ++i)
-        game.Near({3.0f * Real(i), 50.0f});
-    game.Leaning({0.0f, 90.0f});
-    const b2Body *const post = game.Awake({0.0f, 0.0f}, {0.05f, 1.0f});
-    b2Body *const shot = game.Awake({-0.3f, 0.0f}, {0.1f, 0.1f});
-    game.Step(6);
-    game.listener.preSolve.Once([shot] {
-        shot->SetBullet(true);
-        shot->SetLinearVelocity({120.0f, 0.0f});
-    });
-    game.Step();
-    game.TookPlace(Game::LeftOf(post->GetPosition().x, {shot}), "the other box stops it");
-    game.Step(3);
+    "bullet: a listener in the loop over contacts, or a filter, makes a bullet of a box that is thrown") {
+    for (const bool asks : {false, true}) {
+        Game game(run);
+        for (int i = 0; i < 60; ++i)
+            game.Near({3.0f * Real(i), 50.0f});
+        game.Leaning({0.0f, 90.0f});
+        const b2Body *const post = game.Awake({0.0f, 0.0f}, {0.05f, 1.0f});
+        b2Body *const shot = game.Awake({-0.3f, 0.0f}, {0.1f, 0.1f});
+        game.Awake({1.0f, 0.0f}, {0.1f, 0.1f});
+        game.Step(6);
+        game.listener.preSolve.Once([shot] {
+            shot->SetBullet(true);
+            shot->SetLinearVelocity({120.0f, 0.0f});
+        });
+        game.filter.asked = [shot] { shot->SetBullet(true); };
+        if (asks) {
+            shot->SetLinearVelocity({120.0f, 0.0f});
+            game.Ask();
+        } else {
+            game.Listen();
+        }
+        game.Step();
+        game.TookPlace(Game::LeftOf(post->GetPosition().x, {shot}), "the other box stops it");
+        game.Step(3);
+    }
 }
 
 // Box2D disables a contact that does not touch at its impact. Nobody is called ahead of that.
