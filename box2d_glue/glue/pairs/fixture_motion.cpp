@@ -246,8 +246,7 @@ void FixtureMotions::Update(uint32_t row, const b2BroadPhase &broadPhase, uint64
         // The sums so far are those of the fixture's points, about any pivot.
         motion.mover.pivot = pivot;
         motion.mover.center = bmr_mover_place(&pose, pivot, kUnits);
-        motion.shape = 0; // its reach is another one
-        changed = true;
+        motion.shape = 0; // its reach is another one: UpdateShape measures it, and says so
     }
     changed = UpdateShape(&motion, &bits) || changed;
     changed = ChangesBand(&motion, &bits) || changed;
