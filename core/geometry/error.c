@@ -29,9 +29,8 @@ const char *bmr_error_describe(bmr_error error) {
         return "the compass table has too few levels for a polygon of this many vertices: make it for the "
                "largest polygon";
     case BMR_ERROR_INVALID_STRUCTURE:
-        return "the audited structure contradicts itself: it was written to, what it was made of has "
-               "changed, "
-               "or a repair was wrong";
+        return "the audited structure contradicts itself: a repair was wrong, it was written to, or what it "
+               "was made of has changed";
     case BMR_ERROR_FALSE_CERTIFICATE:
         return "the audited certificate does not prove what it claims: ask at the pose and with the polygons "
                "that it was made for";

@@ -33,6 +33,8 @@ static check_test *check_tests;
 static jmp_buf check_leave;
 /// The same numbers for each test, whichever tests ran before it.
 static test_random check_random;
+/// Of the kinetic structure that the test made last, for many tests go through all: a failure says it.
+static const char *check_structure;
 
 /// By line, because compilers differ in the order of constructors.
 static inline void check_register(check_test *test) {
@@ -58,7 +60,7 @@ __attribute__((noreturn, format(printf, 3, 4))) static inline void check_failed(
     fflush(stdout); // what the test has printed stands above its failure
     fprintf(stderr, "%s:%d: ", file, line);
     vfprintf(stderr, format, values);
-    fputc('\n', stderr);
+    fprintf(stderr, check_structure ? " (the structure made last: %s)\n" : "\n", check_structure);
     va_end(values);
     longjmp(check_leave, 1);
 }
@@ -118,6 +120,7 @@ static inline int check_run(const char *program, const char *part) {
             continue;
         ran++;
         check_random = test_random_from(1);
+        check_structure = NULL;
         if (setjmp(check_leave) == 0) {
             test->run();
             printf("passed: %s\n", test->name);

@@ -86,7 +86,8 @@ private:
             ++count;
         m_hash->Begin("call", static_cast<uint64_t>(calls++));
         testbed::NameContact(*m_hash, *contact);
-        m_hash->Field("begin, end, preSolve, postSolve", what);
+        static constexpr const char *kCalls[] = {"", "BeginContact", "EndContact", "PreSolve", "PostSolve"};
+        m_hash->Field(kCalls[what], what);
         m_hash->Field("contacts", count);
         callback(contact);
     }

@@ -107,11 +107,12 @@ public:
         if (Counts())
             Expect(holds, claim);
     }
-    /// Takes place in stock too: a staging mistake, not a difference.
+    /// Takes place in stock too, or the game is staged wrongly. (Stock plays first, and fails the test
+    /// alone.)
     void Stage(bool holds, const char *what) {
         m_stages = true;
         if (!holds)
-            Print("!not staged: %s", what);
+            Print(HasPlugin() ? "!takes place in stock alone: %s" : "!not staged: %s", what);
     }
     /// The game breaks Box2D's rules: until another world begins it is as safe as with stock, and no more. It
     /// need not say what takes place.
@@ -257,8 +258,9 @@ struct FirstDifference {
         ofStock = ofPlugin = "";
     }
     bool Is() const { return ofStock != ofPlugin; }
-    std::string Say() const {
-        return "line " + std::to_string(number) + "\nstock:  " + ofStock + "\nplugin: " + ofPlugin + "\n";
+    std::string Say(const char *unit) const {
+        return unit + (" " + std::to_string(number)) + "\nstock:  " + ofStock + "\nplugin: " + ofPlugin +
+               "\n";
     }
     int number = 0;
     std::string ofStock, ofPlugin;
@@ -271,7 +273,7 @@ inline std::string Difference(const std::string &stock, const std::string &plugi
         for (size_t at = text->find('!'); at != std::string::npos; at = text->find('!', at + 1))
             report += text->substr(at, text->find('\n', at) - at) + "\n";
     const FirstDifference first(WithinRules(stock), WithinRules(plugin));
-    return first.Is() ? report + first.Say() : report;
+    return first.Is() ? report + first.Say("line of the game") : report;
 }
 
 } // namespace as_stock

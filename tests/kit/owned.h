@@ -61,6 +61,7 @@ static inline bmr_convex32_block *made_convex32(const bmr_vec32 *points, size_t 
 static inline bmr_kds *made_kds(const bmr_kds_info *info, const bmr_kds_def *def, const bmr_shape *a,
                                 const bmr_shape *b) {
     bmr_kds *kds = NULL;
+    check_structure = info->name;
     assert_int_equal(bmr_kds_create(info, def, a, b, NULL, &kds), BMR_OK);
     return kds;
 }
