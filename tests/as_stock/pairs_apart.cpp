@@ -286,6 +286,21 @@ AS_STOCK("nothing is allocated for pairs that stay apart") {
     run.Expect(BytesInUse() == before, "nothing was kept");
 }
 
+AS_STOCK(
+    "a contact that is apart is asked for its points at other poses, and has none behind the next step") {
+    Game game(run);
+    for (int i = 0; i < 60; ++i)
+        game.Near({3.0f * Real(i), 0.0f});
+    game.Step(6);
+    b2Contact *const contact = game.world.GetContactList();
+    const b2Transform &a = contact->GetFixtureA()->GetBody()->GetTransform();
+    b2Transform beside = contact->GetFixtureB()->GetBody()->GetTransform();
+    beside.p -= 0.2f * (beside.p - a.p);
+    contact->Evaluate(contact->GetManifold(), a, beside);
+    game.TookPlace(contact->GetManifold()->pointCount, "there are points");
+    game.Step(2);
+}
+
 // Each at another address: a table that stayed would be found by the next world at its own.
 AS_STOCK("a world of a class that is derived from b2World gives its table back") {
     constexpr int kPairs = 60;
