@@ -111,8 +111,9 @@ static bool collide(bmr_world *w, const bmr_body_pair *c, double restitution, bm
         if (!isfinite(impulse[0]) || !isfinite(impulse[1])) // nothing moves either
             return false;
         const double before[2] = {touch->contact.approach[0], touch->contact.approach[1]};
-        for (size_t point = 0; point < touch->contact.count; point++)
-            push(c, touch, point, impulse[point], now);
+        push(c, touch, 0, impulse[0], now);
+        if (touch->contact.count == 2)
+            push(c, touch, 1, impulse[1], now);
         bmr_touch_move(touch, now);
         w->counts.impulses++;
         if (bounce > restitution) {

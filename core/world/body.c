@@ -224,7 +224,6 @@ static bmr_error settle(bmr_world *w, bmr_world_body *r, int level, int64_t colu
 /// The way out of its cell after `after`, or its motion's next piece.
 static bmr_error search_own(bmr_world *w, bmr_world_body *r, double after) {
     double time = INFINITY;
-    r->unfinished = false;
     if (r->cell) {
         w->counts.disk_times++;
         const bmr_error error = bmr_body_leaves_cell(w, r, after, &time, &r->unfinished);
