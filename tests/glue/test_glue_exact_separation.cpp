@@ -249,6 +249,7 @@ void CheckPictures(Run &run) {
         }
     }
     run.Expect(slack.claims > few && slack.caught > Rounds(1500) / 4, "there are slacks");
+    run.Expect(slack.lies == 0, "no slack is more than the distance");
     run.Expect(lines > few / 3 && wrong == 0, "the line that is shown has the slack");
     run.Expect(wrongIfTurned > lines / 10, "control: a line that is turned has not");
 }
