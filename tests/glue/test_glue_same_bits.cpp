@@ -111,6 +111,19 @@ TEST_CASE("largest separations have the bits of b2CollidePolygons' own") {
     CHECK(differentContracted > count / 10);
 }
 
+TEST_CASE("relative frames have the bits of b2MulT") {
+    Engine engine(2);
+    size_t different = 0;
+    for (size_t i = 0; i < test_scaled(100000); ++i) {
+        const double range = std::pow(10.0, Uniform(engine, -3.0, 5.0));
+        const b2Transform a = RandomPose(engine, range), b = RandomPose(engine, range);
+        const b2Transform expected = b2MulT(a, b);
+        const bmr_transform32 frame = bmr_exact32_relative(Transform32(a), Transform32(b));
+        different += std::memcmp(&frame, &expected, sizeof frame) != 0;
+    }
+    CHECK(different == 0);
+}
+
 TEST_CASE("an edge that separates by more than the radii means no points from Box2D") {
     Engine engine(3);
     size_t verdicts = 0, denied = 0, control = 0;
