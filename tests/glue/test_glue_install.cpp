@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What Install and the end of a process say, on stderr and in a file for tests. What the
-// environment says outweighs what the program says. (What it says badly: tests/plugin/test_plugin.sh.)
+// environment says outweighs what the program says; what it says badly counts as not said, and gets one line.
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -119,4 +119,26 @@ TEST_CASE("the verbosity is taken over") {
     bmr::Options loud;
     loud.verbosity = 1;
     CHECK(Under("BOOMERANG_VERBOSE", "0", loud).verbosity == 0);
+}
+
+TEST_CASE("a value that is not understood changes nothing, and is named once with what is understood") {
+    const struct {
+        const char *name, *value, *line;
+    } bad[] = {
+        {"BOOMERANG", "perhaps",
+         "boomerang: BOOMERANG=perhaps is not understood, so it does nothing; known: on, off, verify\n"},
+        {"BOOMERANG_VERBOSE", "very",
+         "boomerang: BOOMERANG_VERBOSE=very is not understood, so it does nothing; known: 0, 1\n"},
+    };
+    bmr::Options given;
+    given.mode = bmr::Mode::Verify;
+    given.verbosity = 1;
+    for (const auto &b : bad) {
+        CAPTURE(std::string(b.name));
+        bmr::Options made;
+        CHECK(StderrOf([&] { made = Under(b.name, b.value, given); }) == b.line);
+        CHECK(StderrOf([&] { Under(b.name, b.value, given); }) == "");
+        CHECK(made.mode == given.mode);
+        CHECK(made.verbosity == given.verbosity);
+    }
 }

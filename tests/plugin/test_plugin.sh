@@ -235,7 +235,6 @@ test_values_that_are_not_understood_get_one_line() {
     at_work "BOOMERANG=perhaps"
     game linked_game BOOMERANG=perhaps
     one_line "linked, BOOMERANG=perhaps" 'not understood'
-    at_rest "linked, BOOMERANG=perhaps"
     game no_game LD_PRELOAD="$plugin" BOOMERANG=perhaps
     quiet "no game, BOOMERANG=perhaps"
     game plain_game LD_PRELOAD="$plugin" BOOMERANG_PAIRS_BY=magic
