@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Distances of the largest polygons against rational arithmetic, and casts of up to 255 vertices against
-// Box2D's own algorithm fed with all of them. (Distances and times of impact of others, what is true:
-// tests/random/fuzz_convex32.cpp.)
+// Distance, cast and time of impact of polygons of any size: up to 255 vertices against Box2D's own
+// algorithms fed with all of them, and of the largest polygons against rational arithmetic. (Of others,
+// what is true: tests/random/fuzz_convex32.cpp.)
 #include <box2d/b2_time_of_impact.h>
 
 #include "boomerang/convex_shape.h"
@@ -75,7 +75,83 @@ TEST_CASE("the distance of the largest polygons is the exact one") {
     CHECK(worst <= 1e-6);
 }
 
+TEST_CASE("up to 255 vertices the distance and its points are those of b2Distance") {
+    Engine engine(2);
+    double worst = 0.0, worstPoint = 0.0;
+    for (size_t i = 0; i < test_scaled(4000); ++i) {
+        const Polygon a = oracle::RandomPolygon(engine, 9 + Below(engine, 247), b2_polygonRadius);
+        const Polygon b = RandomShape(engine, 255);
+        b2DistanceInput input;
+        input.proxyA = a.Stock();
+        input.proxyB = b.Stock();
+        input.transformA = shapes::RandomPose(engine, 5.0);
+        input.transformB = NearbyPose(engine, a, b);
+        input.useRadii = false;
+        b2SimplexCache cache;
+        cache.count = 0;
+        b2DistanceOutput stock;
+        b2Distance(&stock, &cache, &input);
+        bmr_closest32 closest = {0, 0};
+        const bmr_distance32 ours = Ask(a, input.transformA, b, input.transformB, &closest);
+        // What Box2D's coordinates of the world are rounded to.
+        const double scale = 10.0 + double{a.Ours().reach + b.Ours().reach};
+        worst = std::max(worst, std::fabs(double{stock.distance - ours.distance}) / scale);
+        if (stock.distance == 0.0f || stock.iterations >= 20)
+            continue;
+        // Of points, what lies between them; where two sides are parallel any of them may be said.
+        const b2Vec2 between(ours.point_b.x - ours.point_a.x, ours.point_b.y - ours.point_a.y);
+        const double off = double{(between - (stock.pointB - stock.pointA)).Length()};
+        if (stock.distance > 0.01f)
+            worstPoint = std::max(worstPoint, off / scale);
+    }
+    MESSAGE("worst distance ", worst, ", worst vector ", worstPoint);
+    CHECK(worst <= 1e-6);
+    CHECK(worstPoint <= 1e-4);
+}
+
 namespace {
+
+b2Sweep RandomSweep(Engine &engine, double range, double way, double turn) {
+    b2Sweep sweep;
+    sweep.localCenter.Set(UniformF(engine, -1.0, 1.0), UniformF(engine, -1.0, 1.0));
+    sweep.c0.Set(UniformF(engine, -range, range), UniformF(engine, -range, range));
+    sweep.c = sweep.c0 + b2Vec2(UniformF(engine, -way, way), UniformF(engine, -way, way));
+    sweep.a0 = UniformF(engine, -10.0, 10.0);
+    sweep.a = sweep.a0 + UniformF(engine, -turn, turn);
+    sweep.alpha0 = 0.0f;
+    return sweep;
+}
+
+struct Motion {
+    b2Sweep a, b;
+};
+
+Motion RandomMotion(Engine &engine, const Polygon &a, const Polygon &b) {
+    const double size = double{a.Ours().reach + b.Ours().reach};
+    const double turn = Below(engine, 2) == 0 ? 0.3 : 6.0;
+    Motion m = {RandomSweep(engine, size, size, Below(engine, 3) == 0 ? 0.0 : turn),
+                RandomSweep(engine, size, 2.0 * size, Below(engine, 3) == 0 ? 0.0 : turn)};
+    if (Below(engine, 3) == 0)
+        m.a.c = m.a.c0;
+    return m;
+}
+
+struct Impact {
+    bmr_impact32 state;
+    float t;
+};
+
+Impact AskImpact(const Polygon &a, const Polygon &b, const Motion &motion, float tMax, bmr_vec32 *direction) {
+    const bmr_proxy32 pa = a.Ours(), pb = b.Ours();
+    const bmr_sweep32 sa = oracle::Sweep32(motion.a), sb = oracle::Sweep32(motion.b);
+    Impact impact;
+    impact.state = bmr_convex32_impact(&pa, &sa, &pb, &sb, tMax, b2_linearSlop, direction, &impact.t);
+    return impact;
+}
+
+double DistanceAt(const Polygon &a, const Polygon &b, const Motion &motion, double t) {
+    return Distance(oracle::At(a, motion.a, t), oracle::At(b, motion.b, t));
+}
 
 /// Is the proxy known for that of a big polygon?
 bool IsBig(const b2DistanceProxy &proxy) {
@@ -85,6 +161,48 @@ bool IsBig(const b2DistanceProxy &proxy) {
 }
 
 } // namespace
+
+TEST_CASE("times of impact are b2TimeOfImpact's where that is sure of itself") {
+    Engine engine(4);
+    size_t both = 0, differing = 0, failed = 0;
+    double worst = 0.0;
+    for (size_t i = 0; i < test_scaled(1500); ++i) {
+        const Polygon a = oracle::RandomPolygon(engine, 9 + Below(engine, 247), b2_polygonRadius);
+        const Polygon b = RandomShape(engine, 255);
+        Motion motion = RandomMotion(engine, a, b);
+        motion.a.a = motion.a.a0 + 0.05f * (motion.a.a - motion.a.a0);
+        motion.b.a = motion.b.a0 + 0.05f * (motion.b.a - motion.b.a0);
+        b2TOIInput input;
+        input.proxyA = a.Stock();
+        input.proxyB = b.Stock();
+        input.sweepA = motion.a;
+        input.sweepB = motion.b;
+        input.tMax = 1.0f;
+        b2TOIOutput stock;
+        b2TimeOfImpact(&stock, &input);
+        bmr_vec32 direction = {0.0f, 0.0f};
+        const Impact ours = AskImpact(a, b, motion, 1.0f, &direction);
+        if (stock.state == b2TOIOutput::e_failed) { // its search takes 8 vertices at most for enough
+            ++failed;
+            continue;
+        }
+        const bool same = static_cast<int>(stock.state) == static_cast<int>(ours.state) + 1;
+        if (!same) { // they may: where the two just pass by each other
+            ++differing;
+            continue;
+        }
+        if (ours.state != BMR_IMPACT_TOUCHING)
+            continue;
+        ++both;
+        worst = std::max(worst, std::fabs(DistanceAt(a, b, motion, double{stock.t}) -
+                                          DistanceAt(a, b, motion, double{ours.t})));
+    }
+    MESSAGE("touching ", both, ", other state ", differing, ", Box2D gave up ", failed, ", worst gap ",
+            worst);
+    CHECK(both > test_scaled(1500) / 10);
+    CHECK(worst <= 0.5 * double{b2_linearSlop} + 1e-4);
+    CHECK(50 * differing <= test_scaled(1500) + 50);
+}
 
 namespace {
 

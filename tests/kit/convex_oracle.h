@@ -89,6 +89,23 @@ inline exact::Posed Placed(const Polygon &polygon, const b2Transform &xf) {
     return Placed(polygon, bmr_pose{{xf.p.x, xf.p.y}, xf.q.c, xf.q.s});
 }
 
+inline exact::Posed At(const Polygon &polygon, const b2Sweep &sweep, double t) {
+    const double angle = (1.0 - t) * double{sweep.a0} + t * double{sweep.a};
+    const double s = std::sin(angle), c = std::cos(angle), lx = sweep.localCenter.x, ly = sweep.localCenter.y;
+    const double x = (1.0 - t) * double{sweep.c0.x} + t * double{sweep.c.x};
+    const double y = (1.0 - t) * double{sweep.c0.y} + t * double{sweep.c.y};
+    return Placed(polygon, bmr_pose{{x - (c * lx - s * ly), y - (s * lx + c * ly)}, c, s});
+}
+
+inline bmr_sweep32 Sweep32(const b2Sweep &sweep) {
+    return {{sweep.localCenter.x, sweep.localCenter.y},
+            {sweep.c0.x, sweep.c0.y},
+            {sweep.c.x, sweep.c.y},
+            sweep.a0,
+            sweep.a,
+            sweep.alpha0};
+}
+
 } // namespace oracle
 
 #endif
