@@ -19,8 +19,7 @@ function(boomerang_target target)
     target_compile_options(${target} PRIVATE
       $<$<OR:$<COMPILE_LANG_AND_ID:C,Clang>,$<COMPILE_LANG_AND_ID:CXX,Clang>>:-ffp-exception-behavior=maytrap>)
   endif()
-  if(BOOMERANG_QUICK_BUILD AND folder MATCHES "^(testbed_scenes|box2d_glue$)" OR (BOOMERANG_SANITIZE OR BOOMERANG_QUICK_BUILD STREQUAL "plugin")
-    AND folder MATCHES "^(box2d_glue|plugin)")
+  if(BOOMERANG_QUICK_BUILD AND folder MATCHES "^(testbed_scenes|box2d_glue$)" OR BOOMERANG_SANITIZE AND folder MATCHES "^(box2d_glue|plugin)")
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
     target_compile_options(${target} PRIVATE -Wno-shadow) # of another file's names
   endif()

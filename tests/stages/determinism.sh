@@ -2,15 +2,12 @@
 # SPDX-License-Identifier: MIT
 # the library by gcc and by clang, with --long at -O0, -O2 and -O3 -march=native, too: the hashes of all scenes are stock's, and the recorded ones
 
-# build_library NAME COMPILER C++-COMPILER FLAGS: the plugin's library alone, in a tree of its own, and in the gate several of its files
-# at a time.
+# build_library NAME COMPILER C++-COMPILER FLAGS: the plugin's library alone, in a tree of its own.
 build_library() {
-    local quick=plugin
-    [ "$long" = no ] || quick=OFF
     build_tree "$1" release "-DCMAKE_C_COMPILER=$2" "-DCMAKE_CXX_COMPILER=$3" "-DCMAKE_C_FLAGS_RELEASE=$4" \
         "-DCMAKE_CXX_FLAGS_RELEASE=$4" -DBOOMERANG_BUILD_TESTS=OFF \
         -DBOOMERANG_BUILD_TESTBED=OFF -DBOOMERANG_BUILD_KINETIC=OFF \
-        "-DBOOMERANG_QUICK_BUILD=$quick" -DBOOMERANG_WARNINGS_AS_ERRORS=ON -- boomerang_box2d &&
+        -DBOOMERANG_WARNINGS_AS_ERRORS=ON -- boomerang_box2d &&
         libraries+=(--library "$1=$BMR_BUILD_DIR/lib")
 }
 
