@@ -261,7 +261,7 @@ void SayThatItAborts(int) {
     test_leave(0);
 }
 
-/// Has a body no number for a place? It never gets one again, and each time of impact with it takes Box2D all
+/// Is the x of a body no number? It never gets one again, and each time of impact with it takes Box2D all
 /// the iterations that it allows itself.
 bool HasNowhere(const b2World &world) {
     for (const b2Body *b = world.GetBodyList(); b != nullptr; b = b->GetNext())

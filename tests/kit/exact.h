@@ -25,8 +25,8 @@ namespace exact {
 
 #if defined(__GLIBC__)
 /// Fractions have their memory from the C library itself: a sanitizer that is asked for each takes longer
-/// than the arithmetic.
-inline const bool kHasMemory = [] {
+/// than the arithmetic. Include gmpxx.h through this file alone, so that no fraction is made ahead of it.
+inline const bool kAllocatorIsSet = [] {
     mp_set_memory_functions(
         __libc_malloc, [](void *memory, size_t, size_t size) { return __libc_realloc(memory, size); },
         [](void *memory, size_t) { __libc_free(memory); });

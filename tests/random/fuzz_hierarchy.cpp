@@ -33,9 +33,26 @@ bool Same(bmr_corner a, bmr_corner b) {
     return a.before == b.before && a.after == b.after && a.cut == b.cut;
 }
 
+uint32_t CeilLog2(uint32_t n) {
+    uint32_t log = 0;
+    while ((uint64_t{1} << log) < n)
+        ++log;
+    return log;
+}
+
+/// The bounds that the paper has of a kind; another kind has those of its row alone, which its audit asks.
 void CheckSizes(const bmr_hierarchy *h) {
     const bmr_polygon *p = bmr_hierarchy_polygon(h);
-    const uint32_t n = p->count;
+    const uint32_t n = p->count, log = CeilLog2(n), edges = bmr_hierarchy_edge_count(h);
+    // Points and segments have four lines too, whatever their number.
+    const uint32_t depths[] = {2 * log, CeilLog2(2 * n), log};
+    const uint32_t counts[] = {std::max(5 * n, 4u), 2 * n + 4, n + 4};
+    const bmr_hierarchy_kind kind = bmr_hierarchy_get_kind(h);
+    if (kind <= BMR_HIERARCHY_DOBKIN_KIRKPATRICK) {
+        FUZZ_CHECK(bmr_hierarchy_depth(h) <= depths[kind], "kind %d of %u vertices: depth %u", kind, n,
+                   bmr_hierarchy_depth(h));
+        FUZZ_CHECK(edges <= counts[kind], "kind %d of %u vertices: %u edges", kind, n, edges);
+    }
     const double diameter = bmr_inflation_diameter(p), truth = test_diameter(p);
     FUZZ_CHECK(diameter >= truth * (1.0 - 1e-12) && diameter <= truth * 1.1548, "diameter %g, really %g",
                diameter, truth);
