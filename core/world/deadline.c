@@ -33,20 +33,6 @@ static bool is_straight(const bmr_motion_piece *piece) {
     return piece->kind == BMR_PIECE_SCREW || piece->as.algebraic.degree <= 1;
 }
 
-bmr_vec2 bmr_path_begins(const bmr_motion_piece *piece) {
-    return piece->kind == BMR_PIECE_SCREW ? piece->as.screw.start.position
-                                          : bmr_vec2_make(piece->as.algebraic.x[0], piece->as.algebraic.y[0]);
-}
-
-void bmr_path_begin_at(bmr_motion_piece *piece, bmr_vec2 position) {
-    if (piece->kind == BMR_PIECE_SCREW) {
-        piece->as.screw.start.position = position;
-    } else {
-        piece->as.algebraic.x[0] = position.x;
-        piece->as.algebraic.y[0] = position.y;
-    }
-}
-
 /// Of the frame's origin, whatever the body's rotation does: for a straight path its velocity too.
 static bmr_vec2 straight(const bmr_motion_piece *piece, double time, bmr_vec2 *velocity) {
     const bmr_algebraic_piece *p = &piece->as.algebraic;

@@ -14,6 +14,20 @@
 #include "boomerang/distance.h"
 #include "world/parts.h"
 
+bmr_vec2 bmr_path_begins(const bmr_motion_piece *piece) {
+    return piece->kind == BMR_PIECE_SCREW ? piece->as.screw.start.position
+                                          : bmr_vec2_make(piece->as.algebraic.x[0], piece->as.algebraic.y[0]);
+}
+
+void bmr_path_begin_at(bmr_motion_piece *piece, bmr_vec2 position) {
+    if (piece->kind == BMR_PIECE_SCREW) {
+        piece->as.screw.start.position = position;
+    } else {
+        piece->as.algebraic.x[0] = position.x;
+        piece->as.algebraic.y[0] = position.y;
+    }
+}
+
 // ---- walls: four lines, and the segments that pairs see of them ----
 
 bmr_line bmr_wall_line(const bmr_world *w, const bmr_world_body *wall) {

@@ -230,6 +230,9 @@ static inline int64_t bmr_place_above(int64_t place, int levels) {
 
 // frame.c: what a pair sees of walls, of its motions, and of a contact.
 
+/// Where a path is at the piece's own origin of time; and the same motion from another beginning.
+bmr_vec2 bmr_path_begins(const bmr_motion_piece *piece);
+void bmr_path_begin_at(bmr_motion_piece *piece, bmr_vec2 position);
 void bmr_walls_make(bmr_world *w);
 void bmr_walls_destroy(bmr_world *w);
 /// The box is on its left, where <normal, x> > offset.
@@ -279,9 +282,6 @@ bmr_error bmr_disks_next(const bmr_world *w, const bmr_body_pair *c, bool meets,
 bmr_error bmr_body_leaves_cell(const bmr_world *w, const bmr_world_body *r, double after, double *time,
                                bool *unfinished);
 bmr_vec2 bmr_path_position(const bmr_motion_piece *piece, double time);
-/// At the piece's own origin of time; and the same motion from another beginning.
-bmr_vec2 bmr_path_begins(const bmr_motion_piece *piece);
-void bmr_path_begin_at(bmr_motion_piece *piece, bmr_vec2 position);
 
 // pair.c: the life of a pair.
 
