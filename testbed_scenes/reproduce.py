@@ -202,7 +202,10 @@ def main():
 
     for name in names:
         result, out = Result(), pathlib.Path(options.output).resolve() / name
-        out.mkdir(parents=True, exist_ok=True)
+        try:
+            out.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            parser.exit(3, f"reproduce: {out} is no folder: {error.strerror}\n")
 
         def count(beginning):
             run([*quoted(beginning)[0].split()[1:], "--quiet", "--csv", f"{out}/events.csv"])

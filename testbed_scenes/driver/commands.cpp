@@ -61,7 +61,7 @@ void AddStructureOption(CLI::App &app, WorkerOptions &worker, const std::vector<
 
 void AddSceneOptions(CLI::App &app, WorkerOptions &worker) {
     app.add_option("--size", worker.size, "How much of everything there is (default: the scene's own)")
-        ->check(Whole(1));
+        ->check(Whole(1, 1000000));
     app.add_option("--seed", worker.seed, "Seed of the scene's random numbers (default: 1)")
         ->check(Whole(0, UINT64_MAX));
 }

@@ -44,6 +44,7 @@ compare --stpes 3@compare has no option "--stpes"; the nearest is "--steps" \(bo
 compare --zzz@no option "--zzz" \(
 compare neddles@nearest is "needles"
 compare pyramid --steps 0@no whole number from 1 to 100000000
+compare pyramid --size 1000001@no whole number from 1 to 1000000
 compare pyramid --steps many@no whole number
 compare pyramid --repeat 0@--repeat
 compare pyramid --structure lazy@--structure
