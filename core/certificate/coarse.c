@@ -209,7 +209,7 @@ bool bmr_coarse_pick(const bmr_polygon *a, const bmr_polygon *b, const bmr_pose 
 }
 
 bool bmr_coarse_normal(const bmr_polygon *owner, uint32_t edge, bmr_vec2 *normal) {
-    const uint32_t k = edge - BMR_COARSE_AXIS; // of an edge: far above 4
+    const uint32_t k = edge - BMR_COARSE_AXIS; // wraps to 4 or more if `edge` is one of the polygon
     if (k >= 4 && edge >= owner->count)
         return false;
     *normal = k < 4 ? axis(k) : bmr_polygon_normal(owner, edge);

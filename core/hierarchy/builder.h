@@ -49,7 +49,7 @@ bmr_error bmr_build_of_edges(bmr_build build, const bmr_allocator *allocator, bm
 /// The depth that the hierarchy's kind promises. A quadrant never holds all edges, so a balanced tree of them
 /// is no deeper than their logarithm.
 uint32_t bmr_tree_most_levels(const bmr_hierarchy *hierarchy);
-/// The edges that it promises not to exceed.
+/// The most edges that the kind promises, zero-length edges at vertices included.
 uint32_t bmr_tree_most_edges(const bmr_hierarchy *hierarchy);
 
 /// The smallest k with 2^k >= n, for n >= 1.

@@ -215,7 +215,7 @@ static bmr_error go_on(bmr_simulation *s, double until) {
         const bmr_pair_motion motion = motion_of(s);
         if (!bmr_pair_jumps_at(&motion, s->time))
             break;
-        expect(s, JUMP, s->time);
+        expect(s, JUMP, s->time); // after STALLED the next run begins here again
         if (is_burst(s, s->time))
             return BMR_ERROR_STALLED;
         start(s, s->time, false); // whose observer may have another plan

@@ -189,7 +189,7 @@ static inline bmr_error bmr_body_pair_stop(bmr_world *w, const bmr_body_pair *c,
                                            bmr_trouble kind) {
     return bmr_world_stop(w, error, kind, c->side[0]->id, c->side[1]->id);
 }
-/// At the present time.
+/// Tells the observer of an event at the present time, and counts it.
 void bmr_world_observe(bmr_world *w, bmr_world_event_kind kind, bmr_body a, bmr_body b,
                        const bmr_kds_report *report);
 

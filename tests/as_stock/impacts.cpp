@@ -234,8 +234,8 @@ AS_STOCK("enabled: a listener disables a contact ahead of its impact, and enable
     }
 }
 
-// No search of the steps before asked about the two, which no bullet was among. The filter is asked behind
-// the islands, about the shot and a box that it comes to in this step.
+// Neither the shot nor the post was a bullet in the steps before: no search for impacts asked about them.
+// Box2D asks the filter after the islands, about the shot and a box that the shot comes to in this step.
 AS_STOCK(
     "bullet: a listener in the loop over contacts, or a filter, makes a bullet of a box that is thrown") {
     for (const bool asks : {false, true}) {
@@ -264,7 +264,7 @@ AS_STOCK(
     }
 }
 
-// Box2D disables a contact that does not touch at its impact. Nobody is called ahead of that.
+// At an impact Box2D disables the contact if its shapes do not touch. It calls no listener before that.
 AS_STOCK(
     "passed over: two without skins impact and do not touch, and a listener is told of the next impact") {
     Heard game(run);
@@ -346,7 +346,7 @@ AS_STOCK("half: in the second half of a step two come to touch that sleep again 
     game.TookPlace(slept && right->IsAwake(), "one wakes the other");
 }
 
-// They move by less than what would give their fixtures other boxes.
+// `Place` moves the body by so little that its fixture keeps its fat box.
 AS_STOCK("half: in the second half of a step two come to touch that are back when the next one begins") {
     Posts game(run);
     b2Body *const right = game.Near({0.0f, -20.0f}, 0.05f);

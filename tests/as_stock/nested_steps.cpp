@@ -211,7 +211,8 @@ AS_STOCK("thrown: a body's shape is changed again and again, and each time an ex
     }
 }
 
-// Each change counts as a long way, and sums of ways wrap. The newest pair was passed ahead of all changes.
+// The table counts each change of a shape as a long motion, until its sums wrap. The loop over contacts
+// passed the newest pair before the listener changed anything.
 AS_STOCK(
     "grown: a body's shape is changed again and again in one loop over contacts, until it touches others") {
     for (const int calls : {4, 18, 24}) {

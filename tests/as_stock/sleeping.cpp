@@ -135,8 +135,8 @@ AS_STOCK(
     game.TookPlace(woken, "the listener wakes one that leans");
 }
 
-// A table rests because of the boxes that touch, until they sleep. Box2D puts all bodies back to the
-// beginning of their sweeps before it looks for impacts, those that sleep, too.
+// While the boxes that touch are awake, a step by the table costs more than one by the list, and the table
+// rests. Before Box2D looks for impacts it puts each body, a sleeper too, back to where its sweep begins.
 AS_STOCK("displaced: a shot meets a post, in a step by Box2D's list or not, and is hit in its sleep in the "
          "next one") {
     for (const bool byList : {true, false}) {

@@ -94,7 +94,8 @@ static void visit_bounds(const bmr_hierarchy *h, test_family family, test_random
     const bmr_polygon *p = bmr_hierarchy_polygon(h);
     const double diameter = test_diameter(p);
     assert_true(is_small(h, p->count));
-    if (bmr_hierarchy_get_kind(h) <= BMR_HIERARCHY_DOBKIN_KIRKPATRICK) { // bound_of has none of another kind
+    // (Of another kind bound_of asks these two.)
+    if (bmr_hierarchy_get_kind(h) <= BMR_HIERARCHY_DOBKIN_KIRKPATRICK) {
         assert_int_equal(bmr_tree_most_levels(h), bound_of(h, p->count).depth);
         assert_int_equal(bmr_tree_most_edges(h), bound_of(h, p->count).nodes);
     }

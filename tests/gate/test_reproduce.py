@@ -55,6 +55,9 @@ class Reproduced(unittest.TestCase):
         self.assertRegex(said, r"\n  orbit: lazy +\| O\(mu log mu\) +\d+\.\d to +\d+\.\d")
         self.assertLessEqual(max(map(len, said.splitlines())), 140)
 
+    def test_an_output_that_is_no_folder_is_named(self):
+        self.assertEqual(reproduced("table-1", "--output", "/dev/null"), (3, "reproduce: /dev/null/table-1 is no folder: Not a directory\n"))
+
     def test_another_number_of_table_1_is_noticed(self):
         code, said = reproduced("table-1", changed=("| - lazy | log mu | +0.78 (14) |", "| - lazy | log mu | +0.79 (14) |"))
         self.assertEqual((code, said.count("in the page")), (1, 1), said)

@@ -25,7 +25,8 @@ namespace exact {
 
 #if defined(__GLIBC__)
 /// Fractions have their memory from the C library itself: a sanitizer that is asked for each takes longer
-/// than the arithmetic. Include gmpxx.h through this file alone, so that no fraction is made ahead of it.
+/// than the arithmetic. Include gmpxx.h through this file alone: a fraction that another file
+/// makes earlier would be freed by the wrong allocator.
 inline const bool kAllocatorIsSet = [] {
     mp_set_memory_functions(
         __libc_malloc, [](void *memory, size_t, size_t size) { return __libc_realloc(memory, size); },

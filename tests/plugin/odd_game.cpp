@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Games that live oddly:
 //
-//   odd_game endless                             steps until it is ended from outside, some hundred times a
-//   second; says when it has begun
+//   odd_game endless                             steps until it is ended from outside; says when it has begun
 //   odd_game ending                              steps worlds while its threads and itself come to their end
 //   odd_game forking EARLIER LATER [abruptly]    forks after EARLIER steps; both go on for LATER steps
 //   odd_game opening [LIBRARY]                   opens a library when it has a world with contacts, and
